@@ -1,0 +1,161 @@
+# kinescope — one non-recursive Makefile.
+#
+#   make demo    install what is missing, build, show the tour (or write its PNGs)
+#   make test    install what is missing, build, run every test; ends with "N passed, N failed"
+#   make help    everything else
+#
+# MODE=rel|dbg|asan|tsan and CC=gcc|clang choose the folder o/$(MODE)-$(CC) that objects go to.
+
+MODE ?= rel
+ifeq ($(origin CC),default)
+CC := gcc
+endif
+O ?= o/$(MODE)-$(notdir $(firstword $(CC)))
+ARCH := $(shell $(CC) -dumpmachine 2>/dev/null | cut -d- -f1)
+
+# ---- what the project is made of --------------------------------------------------------------
+
+FOLDERS   := crt display_file raster input emu
+HEADERS   := $(foreach d,$(FOLDERS),$(wildcard $(d)/*.h))
+SOURCES   := $(filter-out emu/main.c,$(foreach d,$(FOLDERS),$(wildcard $(d)/*.c)))
+ifneq ($(ARCH),x86_64)
+SOURCES   := $(filter-out %_avx2.c,$(SOURCES))
+endif
+TESTS     := $(wildcard tests/*/test_*.c)
+TEST_LIB  := $(wildcard tests/support/*.c)
+BENCHES   := $(wildcard tests/bench/bench_*.c)
+FUZZERS   := $(wildcard tests/fuzz/fuzz_*.c)
+
+OBJECTS   := $(SOURCES:%.c=$(O)/%.o)
+KINESCOPE := $(O)/kinescope
+TEST_BINS := $(TESTS:%.c=$(O)/%)
+BENCH_BINS := $(BENCHES:%.c=$(O)/%)
+REPLAY_BINS := $(FUZZERS:%.c=$(O)/%_replay)
+# Archives from the top of the include order down; each may use only those after it.
+ARCHIVES  := $(foreach d,emu input raster display_file crt,$(O)/lib$(d).a)
+
+# ---- flags --------------------------------------------------------------------------------------
+
+WARN      := -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+# Same bytes everywhere: no contraction to fused multiply-add, no reassociation.
+EXACT     := -ffp-contract=off
+MODE_rel  := -O2
+MODE_dbg  := -O0 -g3
+MODE_asan := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+MODE_tsan := -O1 -g -fsanitize=thread
+ifeq ($(MODE_$(MODE)),)
+$(error MODE is $(MODE); it must be rel, dbg, asan or tsan)
+endif
+CFLAGS    := -std=c11 -D_POSIX_C_SOURCE=200809L $(WARN) $(EXACT) $(MODE_$(MODE)) -g -I. -pthread $(EXTRA_CFLAGS)
+LDFLAGS   := $(MODE_$(MODE)) -pthread
+LIBS      := -lglfw -lpng -linih -lnettle -lm -ldl
+TEST_LIBS := -lcmocka
+
+.DEFAULT_GOAL := all
+.SECONDARY:
+.DELETE_ON_ERROR:
+.PHONY: all demo test check sanitize tsan bench golden layers headers format clean help deps fuzz
+
+all: $(KINESCOPE) kinescope
+
+# The command in the top folder is always the one last built.
+kinescope: $(KINESCOPE)
+	@ln -sf $< $@
+
+# ---- rules ---------------------------------------------------------------------------------------
+
+$(O)/%_avx2.o: CFLAGS += -mavx2
+$(O)/%.o: %.c Makefile
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) -MMD -MP -c -o $@ $<
+
+define archive_rule
+$(O)/lib$(1).a: $(filter $(O)/$(1)/%.o,$(OBJECTS))
+	@mkdir -p $$(@D)
+	@rm -f $$@
+	ar rcs $$@ $$^
+endef
+$(foreach d,$(FOLDERS),$(eval $(call archive_rule,$(d))))
+
+$(KINESCOPE): $(O)/emu/main.o $(ARCHIVES)
+	$(CC) $(LDFLAGS) -o $@ $^ $(LIBS)
+
+$(TEST_BINS): $(O)/%: $(O)/%.o $(TEST_LIB:%.c=$(O)/%.o) $(ARCHIVES)
+	$(CC) $(LDFLAGS) -o $@ $^ $(TEST_LIBS) $(LIBS)
+
+$(BENCH_BINS): $(O)/%: $(O)/%.o $(TEST_LIB:%.c=$(O)/%.o) $(ARCHIVES)
+	$(CC) $(LDFLAGS) -o $@ $^ $(LIBS)
+
+$(REPLAY_BINS): $(O)/%_replay: $(O)/%.o $(O)/tests/fuzz/replay.o $(ARCHIVES)
+	$(CC) $(LDFLAGS) -o $@ $^ $(LIBS)
+
+# ---- what people call ------------------------------------------------------------------------------
+
+PACKAGES_RUN  := libpng-dev libglfw3-dev libinih-dev nettle-dev libosmesa6 libegl1 libgl1-mesa-dri
+PACKAGES_TEST := $(PACKAGES_RUN) libcmocka-dev xvfb xdotool imagemagick x11-utils
+
+# Names what is missing, then installs it; says nothing and needs no network when all is there.
+deps-run: PACKAGES := $(PACKAGES_RUN)
+deps-test: PACKAGES := $(PACKAGES_TEST)
+deps: deps-test
+.PHONY: deps-run deps-test
+deps-run deps-test:
+	@tests/install-missing.sh $(PACKAGES)
+
+demo: deps-run
+	@$(MAKE) --no-print-directory all
+	@tests/demo.sh ./kinescope
+
+test: deps-test
+	@$(MAKE) --no-print-directory check
+
+check: all layers headers $(TEST_BINS) $(REPLAY_BINS)
+	@tests/run.sh $(O) $(TEST_BINS) $(REPLAY_BINS) -- $(sort $(wildcard tests/*/test_*.sh))
+
+sanitize: deps-test
+	@$(MAKE) --no-print-directory MODE=asan check
+
+tsan: deps-test
+	@$(MAKE) --no-print-directory MODE=tsan check
+
+bench: deps-run
+	@$(MAKE) --no-print-directory all $(BENCH_BINS)
+	@tests/bench.sh $(BENCH_BINS)
+
+golden: all
+	@tests/golden.sh --regenerate ./kinescope
+
+layers:
+	@tests/layers.sh
+
+# Every public header compiles alone.
+headers:
+	@for h in $(HEADERS); do \
+	  printf '#include "%s"\nextern int translation_unit;\n' $$h | \
+	    $(CC) $(CFLAGS) -x c -fsyntax-only - || exit 1; done
+
+format:
+	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) tests/*))
+
+FUZZ_SECONDS ?= 60
+fuzz:
+	@tests/fuzz.sh $(FUZZ_SECONDS) $(FUZZERS)
+
+clean:
+	rm -rf o kinescope
+
+help:
+	@echo "make             build ./kinescope (MODE=rel|dbg|asan|tsan, CC=gcc|clang)"
+	@echo "make demo        install what is missing, build, show the tour in a window or write its PNGs"
+	@echo "make test        install what is missing, build, run all tests: 'N passed, N failed'"
+	@echo "make sanitize    all tests under AddressSanitizer and UndefinedBehaviorSanitizer"
+	@echo "make tsan        all tests under ThreadSanitizer"
+	@echo "make bench       speeds, as ratios within one run"
+	@echo "make fuzz        run the fuzzers for FUZZ_SECONDS each (clang)"
+	@echo "make golden      regenerate the golden traces and films (look at them before committing)"
+	@echo "make layers      check that includes go one way"
+	@echo "make headers     check that every header compiles alone"
+	@echo "make format      clang-format the tree"
+	@echo "make clean       remove what was built"
+
+-include $(shell find $(O) -name '*.d' 2>/dev/null)

@@ -1,0 +1,59 @@
+/* glass.h — what a viewer sees: the film behind a curved faceplate, in GL 3.3 core.
+ *
+ *      film (float, per colour) ─▶ resample ─▶ halation (reduced size) ─▶ faceplate, room light ─▶ tone ─▶ sRGB
+ *                                                                               overlay text ────────┘
+ *
+ * The same code draws in a GLFW window and in an offscreen context. It creates no context and
+ * touches no window system: the caller makes a context current and passes its loader.
+ *
+ * Models:     curvature of the faceplate (spherical), halation (light scattered in it), room light
+ *             reflected by glass and phosphor, one tone curve (crt/develop.h), gamut desaturation as in film.
+ * Units:      luminance cd/m²; pixels.
+ * Ownership:  crt_glass_create allocates GL objects in the current context; destroy needs it current.
+ * Errors:     one sentence (missing GL function, shader or framebuffer trouble with the driver named).
+ * Not exempted: results vary with the GL driver; compare with tolerance only.
+ */
+#ifndef CRT_GLASS_H
+#define CRT_GLASS_H
+
+#include <stdint.h>
+
+#include "crt/develop.h"
+#include "crt/image.h"
+#include "crt/tube.h"
+
+typedef void (*crt_gl_function)(void);
+typedef crt_gl_function (*crt_gl_loader)(const char *name);
+
+struct crt_glass_settings {
+    double gain;           /* 1/(cd/m²), crt_auto_gain */
+    double room_cd_m2;     /* luminance of the unlit screen in room light; 0 = dark room */
+    double halation;       /* share of light scattered; 0 skips the pass */
+    double face_radius_mm; /* 0 = flat, skips curvature */
+};
+
+struct crt_glass;
+
+struct crt_glass *crt_glass_create(crt_gl_loader loader, struct crt_error *err);
+void crt_glass_destroy(struct crt_glass *glass);
+
+/* "OSMesa / llvmpipe …": GL_RENDERER and GL_VERSION, for the status line. */
+const char *crt_glass_driver(const struct crt_glass *glass);
+
+/* Uploads a complete film. */
+void crt_glass_film(struct crt_glass *glass, const struct crt_film *film,
+                    const struct crt_phosphor *phosphor);
+
+/* Text and marks drawn over the glass: RGBA, 8 bit, straight alpha, top row first, win_w × win_h;
+ * NULL removes it. */
+void crt_glass_overlay(struct crt_glass *glass, const uint8_t *rgba, int width, int height);
+
+/* Draws into framebuffer `fbo` (0 = the window) of width × height pixels, letterboxed. */
+void crt_glass_draw(struct crt_glass *glass, const struct crt_glass_settings *settings,
+                    unsigned fbo, int width, int height);
+
+/* Draws into an offscreen framebuffer and reads it back as an 8- or 16-bit picture. */
+bool crt_glass_render(struct crt_glass *glass, const struct crt_glass_settings *settings, int width,
+                      int height, int depth, struct crt_image *out, struct crt_error *err);
+
+#endif

@@ -1,0 +1,104 @@
+/* tube.h — the tube: beam pieces in, light out.
+ *
+ *      strokes ──▶ journal ──┬── commit at each epoch end ──▶ phosphor planes (stored energy)
+ *                            │                                     │
+ *                            └───────────── expose ────────────────┴──▶ film, probe
+ *
+ * Models:     gun (I ∝ drive^γ), a Gaussian spot that grows with current, the line integral of a spot
+ *             moving at constant speed with end-point dwell (erf caps), time-stamped deposits, decay by
+ *             the phosphor's sum of exponentials. Absolute: light is in cd·s/m² (fluence) or cd/m².
+ * Time:       picoseconds; epoch n ends at tick n+1 of desc.epoch.
+ * Observing never changes state: an exposure or a probe is a function of planes (as of the last epoch)
+ *             and journal (strokes since); a film's samples depend on its interval only, never on what
+ *             else was observed, on the number of threads or on the instruction set.
+ * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above the floor); shorter terms
+ *             are computed from the journal of this and the previous epoch.
+ * Ageing:     n epochs are n float multiplications; values below a fixed floor become 0.
+ * Ownership:  crt_tube_create allocates planes and journal, crt_tube_destroy frees them. Films belong
+ *             to the caller. desc is copied; row and phosphor must outlive the tube.
+ * Errors:     out of memory: NULL and a sentence. Misuse (time running backwards) asserts.
+ * Not modelled: video amplifier (vector heads switch the beam), misfocus towards the corners, saturation.
+ */
+#ifndef CRT_TUBE_H
+#define CRT_TUBE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "crt/error.h"
+#include "crt/geometry.h"
+#include "crt/phosphor.h"
+#include "crt/piece.h"
+#include "crt/ticks.h"
+#include "crt/tube_table.h"
+
+enum crt_simd { CRT_SIMD_AUTO, CRT_SIMD_BASELINE, CRT_SIMD_AVX2 };
+
+/* Front-panel knobs; the neutral setting is {0, 1, 0}. */
+struct crt_knobs {
+    double brightness; /* −1…1, added to the drive of every piece (grid bias) */
+    double contrast;   /* 0…4, multiplies the drive */
+    double focus;      /* 0 = best; sigma grows by sqrt(1 + focus²) */
+};
+
+struct crt_tube_desc {
+    const struct crt_tube_row *row;
+    const struct crt_phosphor *phosphor;
+    struct crt_grid grid;     /* crt_tube_grid(row), or a close-up */
+    struct crt_rate epoch;    /* the head's sync tick */
+    struct crt_knobs knobs;
+    int threads;              /* 1… */
+    enum crt_simd simd;
+    bool no_reuse;            /* never reuse cached footprints (for benchmarks and tests) */
+};
+
+struct crt_tube;
+
+/* Light gathered during [t0, t1) on the tube's grid, per phosphor colour, in cd·s/m² (fluence).
+ * Divide by the exposure for mean cd/m². Row-major, grid.cols × grid.rows floats each. */
+struct crt_film {
+    struct crt_grid grid;
+    int colours;
+    float *light[CRT_MAX_COLOURS];
+    uint64_t t0, t1;
+    bool complete;
+    struct crt_film *next; /* the tube's list of open films */
+    uint64_t fed_to;       /* how far light has been gathered; private to the tube */
+};
+
+struct crt_tube *crt_tube_create(const struct crt_tube_desc *desc, struct crt_error *err);
+void crt_tube_destroy(struct crt_tube *tube);
+
+/* Commits one stroke to the journal. t0 must not precede that of the stroke before, nor an epoch
+ * already committed; it may lie ahead of the last crt_tube_advance. */
+void crt_tube_stroke(struct crt_tube *tube, const struct crt_stroke *stroke);
+
+/* Tells the tube that every stroke starting before `now` has been delivered: ends the epochs up to
+ * `now` and feeds open films; films with t1 <= now become complete and leave the list. */
+void crt_tube_advance(struct crt_tube *tube, uint64_t now);
+
+/* Knobs act on strokes delivered from now on. */
+void crt_tube_set_knobs(struct crt_tube *tube, struct crt_knobs knobs);
+
+/* Film memory for this tube's grid and colours; crt_film_free releases it. */
+bool crt_film_init(struct crt_film *film, const struct crt_tube *tube, struct crt_error *err);
+void crt_film_free(struct crt_film *film);
+
+/* Clears the film and opens it for [t0, t1), t0 < t1; t0 must not precede the `now` of the last
+ * advance. The film must stay alive until it is complete or crt_film_cancel()led. */
+void crt_film_open(struct crt_tube *tube, struct crt_film *film, uint64_t t0, uint64_t t1);
+void crt_film_cancel(struct crt_tube *tube, struct crt_film *film);
+
+/* Instantaneous luminance at a point of the glass, cd/m² per colour, at time t with
+ * last-advance <= t (strokes after t do not count) or within the epoch being journalled. */
+void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint64_t t,
+                    double cd_m2[CRT_MAX_COLOURS]);
+
+/* Totals for tests and traces, double precision, cd·s/m² summed over cells. */
+struct crt_tube_totals {
+    double stored;    /* in planes and journal at the last advance, within the grid */
+    uint64_t strokes; /* delivered since creation */
+};
+struct crt_tube_totals crt_tube_totals(const struct crt_tube *tube);
+
+#endif

@@ -1,0 +1,19 @@
+/* disasm.h — words back to .df source that assembles to the same words.
+ *
+ * assemble(disassemble(x)) == x for any words at any addresses: what no mnemonic says exactly is
+ * written as an octal .word.
+ * Ownership:  df_disassemble returns malloced text.
+ */
+#ifndef DF_DISASM_H
+#define DF_DISASM_H
+
+#include "display_file/program.h"
+
+/* The whole program as source text; NULL only when memory is out. */
+char *df_disassemble(const struct df_program *program);
+
+/* One word on its own, for traces and the status line: `mode` is the graphic mode it would be read in (DF_MODE_*).
+ * Writes at most `size` bytes, always terminated. */
+void df_disassemble_word(uint16_t word, unsigned mode, char *text, unsigned long size);
+
+#endif

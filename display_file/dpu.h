@@ -1,0 +1,106 @@
+/* dpu.h — the display processor: a DEC VT11, word by word.
+ *
+ *                    ┌──────────────────────────────┐
+ *   display memory ─▶│ fetch ─▶ decode ─▶ vector gen │─▶ offer ─▶ (pen) ─▶ commit ─▶ tube
+ *      START/RESUME ─▶│ DPC MPR XPR YPR    char gen   │─▶ interrupt lines: stop, pen, character
+ *         sync tick ─▶└──────────────────────────────┘─▶ bell
+ *
+ * Models:     the VT11 instruction set bit for bit: modes, data, status words, registers and their
+ *             write effects, wrap at 12 bits, dashes, blink, italics, shift-out, stop, pen, character
+ *             and bus time-out interrupts, the re-fetch hang of illegal words.
+ * Time:       picoseconds; `t` is the fetch time of the next word. Every word costs more than 0 ps.
+ *             The generators start when the word (or its last word) has been decoded.
+ * Position:   registers in head units; strokes leave in tube millimetres through desc.screen.
+ * Ownership:  the caller owns the struct; memory, screen and contexts must outlive it. Allocates nothing.
+ * Errors:     guest trouble becomes a status bit, an interrupt or a hang as in hardware.
+ * Source:     DEC EK-VT11-TM-001; open questions are marked "assumed" where they are decided.
+ * Not modelled: bus contention, analog drift, the VS60 superset (illegal words here).
+ */
+#ifndef DF_DPU_H
+#define DF_DPU_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "crt/geometry.h"
+#include "crt/piece.h"
+#include "display_file/timing.h"
+
+enum df_interrupt { DF_INT_STOP, DF_INT_PEN, DF_INT_CHARACTER, DF_INT_COUNT };
+
+enum df_state {
+    DF_STOPPED,        /* DSTOP, or never started */
+    DF_RUNNING,
+    DF_WAITING_SYNC,   /* Load Status A with sync: until df_dpu_sync() */
+    DF_WAITING_RESUME, /* pen hit, character or time-out interrupt: until RESUME or START */
+};
+
+#define DF_NO_HIT UINT64_MAX
+
+/* Where beam pieces go. `offer` may be NULL (no pen): it returns the time within the stroke at which
+ * a pen fires, or DF_NO_HIT; the generator then cuts the stroke there. `commit` receives what is left. */
+struct df_beam {
+    void *ctx;
+    uint64_t (*offer)(void *ctx, const struct crt_stroke *stroke);
+    void (*commit)(void *ctx, const struct crt_stroke *stroke);
+};
+
+struct df_wires {
+    void *ctx;
+    void (*interrupt)(void *ctx, enum df_interrupt line, bool level, uint64_t t); /* may be NULL */
+    void (*bell)(void *ctx, uint64_t t);                                          /* may be NULL */
+};
+
+struct df_dpu_desc {
+    const uint16_t *memory; /* display memory, words */
+    uint32_t memory_bytes;  /* fetches at or above time out */
+    struct crt_screen screen;
+    struct df_timing timing;
+    double drive[8];        /* beam drive of each intensity level, 0…1 */
+    struct df_beam beam;
+    struct df_wires wires;
+};
+
+/* A vector interrupted by the pen: what RESUME still has to draw. The implementer completes this. */
+struct df_pending_vector {
+    bool active;
+    int32_t x1, y1; /* where the vector was going, head units before wrapping */
+};
+
+struct df_dpu {
+    struct df_dpu_desc desc;
+    uint64_t t; /* fetch time of the next word */
+    enum df_state state;
+    uint16_t dpc;
+    bool illegal;          /* re-fetching an illegal word for ever */
+    bool timeout;          /* stopped by a bus time-out */
+    uint64_t words;        /* executed since reset */
+    uint64_t instructions; /* executed since reset; a datum of two words counts once */
+    /* registers and generator state: see dpu.c for who uses what */
+    unsigned mode, intensity, line_type, step;
+    bool blink, italics, shift_out, pen_interrupt, pen_intensify, stop_interrupt;
+    bool internal_stop, hit, edge;
+    int32_t x, y;          /* position, 12-bit two's complement range wraps */
+    uint16_t hit_x, hit_y; /* latched at a pen hit */
+    uint16_t character;
+    uint16_t first_word;   /* first half of a two-word datum */
+    uint8_t phase;         /* words of the current datum consumed; jump address pending */
+    bool pending[DF_INT_COUNT];
+    struct df_pending_vector vector;
+};
+
+void df_dpu_init(struct df_dpu *dpu, const struct df_dpu_desc *desc);
+/* Power-on state: stopped, character mode, intensity 4, solid, interrupts off. */
+void df_dpu_reset(struct df_dpu *dpu, uint64_t t);
+
+/* Registers (display_file/df_regs.h offsets) at time t. Writes act at t. */
+uint16_t df_dpu_read(const struct df_dpu *dpu, unsigned offset);
+void df_dpu_write(struct df_dpu *dpu, unsigned offset, uint16_t value, uint64_t t);
+
+/* Executes the word at dpu->t. Requires DF_RUNNING. */
+void df_dpu_step(struct df_dpu *dpu);
+
+/* The line sync tick. */
+void df_dpu_sync(struct df_dpu *dpu, uint64_t t);
+
+#endif

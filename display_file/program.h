@@ -1,0 +1,35 @@
+/* program.h — a display-file program: words at display-memory addresses, an entry, where they came from.
+ *
+ * What the assembler and the loaders make and the machine loads.
+ * Addresses:  even byte addresses in display memory, 0 … DF_MEMORY_BYTES-2.
+ * Ownership:  df_program_init allocates, df_program_free releases; plain data between.
+ * Errors:     out of memory gives a sentence.
+ */
+#ifndef DF_PROGRAM_H
+#define DF_PROGRAM_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "crt/error.h"
+
+#define DF_MEMORY_BYTES 0x40000u /* 256 KiB; the VT11's 16-bit addresses reach the first 64 KiB */
+#define DF_ADDRESS_SPACE 0x10000u
+
+struct df_program {
+    uint16_t *words;  /* DF_MEMORY_BYTES / 2, indexed by address / 2; 0 where nothing was loaded */
+    uint8_t *loaded;  /* same index: 1 where the program put a word */
+    uint32_t *line;   /* same index: file << 24 | line number of the source, 0 = unknown */
+    char **files;     /* names for that file index */
+    unsigned file_count;
+    uint32_t low, high; /* the first address loaded and the one after the last; low == high: empty */
+    uint32_t entry;     /* where DPC starts */
+};
+
+bool df_program_init(struct df_program *p, struct crt_error *err);
+void df_program_free(struct df_program *p);
+
+/* Puts a word at an even address below DF_MEMORY_BYTES. */
+void df_program_put(struct df_program *p, uint32_t address, uint16_t word);
+
+#endif

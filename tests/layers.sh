@@ -1,0 +1,28 @@
+#!/bin/sh
+# layers.sh — includes go one way:
+#
+#   roms -> only *_regs.h and memmap.h;   emu -> display_file, raster, input -> crt;   tests -> anything
+#
+# and only the GLFW, OSMesa and EGL files touch a window system.
+set -eu
+bad=$(
+    # allowed FOLDER 'regex of folders it may include from'
+    allowed() {
+        grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' "$1"/*.[ch] "$1"/*.inc 2>/dev/null |
+            grep -vE "\"($2)/" || true
+    }
+    allowed crt 'crt'
+    allowed display_file 'display_file|crt'
+    allowed raster 'raster|crt'
+    allowed input 'input|crt'
+    allowed emu 'emu|display_file|raster|input|crt'
+    grep -rnE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' roms --include='*.[chS]' 2>/dev/null |
+        grep -vE '"(roms/|[a-z_/]*_regs\.h|emu/memmap\.h)' || true
+    grep -nE '#[[:space:]]*include[[:space:]]+<(GLFW|EGL|GL)/' crt/*.[ch] display_file/*.[ch] emu/*.[ch] 2>/dev/null |
+        grep -vE '^(crt/gl_context_[a-z]+\.c|crt/gl_api\.[ch]|emu/window[a-z_]*\.c):' || true
+)
+if [ -n "$bad" ]; then
+    echo "layers: these includes go the wrong way:" >&2
+    echo "$bad" >&2
+    exit 1
+fi
