@@ -3,25 +3,14 @@
 #include <math.h>
 
 #include "crt/maths.h"
-
-static int lower(int c)
-{
-    return c >= 'A' && c <= 'Z' ? c + ('a' - 'A') : c;
-}
-
-static int same_name(const char *a, const char *b)
-{
-    while (*a && lower((unsigned char)*a) == lower((unsigned char)*b))
-        a++, b++;
-    return *a == *b;
-}
+#include "crt/names.h"
 
 const struct crt_phosphor *crt_phosphor_find(const char *name)
 {
     size_t n;
     const struct crt_phosphor *p = crt_phosphors(&n);
     for (size_t i = 0; i < n; i++)
-        if (same_name(p[i].name, name))
+        if (crt_same_name(p[i].name, name))
             return &p[i];
     return NULL;
 }
