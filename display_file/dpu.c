@@ -164,8 +164,6 @@ static void start(struct df_dpu *dpu, uint16_t address, uint64_t t)
 /* Goes on where the processor stopped: first with what an interrupt left undrawn. */
 static void resume(struct df_dpu *dpu, uint64_t t)
 {
-    uint64_t average = dpu->desc.timing.average_ps;
-
     clear_flags(dpu, t);
     if (dpu->state == DF_RUNNING || dpu->state == DF_WAITING_SYNC)
         return;
@@ -176,7 +174,7 @@ static void resume(struct df_dpu *dpu, uint64_t t)
         df_vecgen_resume(dpu);
     } else if (dpu->second.active) {
         dpu->second.active = false;
-        dpu->window = average - average / 2;
+        dpu->window = dpu->desc.timing.average_ps / 2;
         df_chargen_code(dpu, dpu->second.code);
     }
     dpu->t = dpu->clock;
@@ -246,7 +244,12 @@ static void execute_averaged(struct df_dpu *dpu, uint16_t word)
     dpu->window = second ? average - average / 2 : average;
     dpu->clock = dpu->t;
     execute(dpu, word);
-    if (!dpu->vector.active && !dpu->second.active)
+    /* What an interrupt left for RESUME takes its share then; but no word takes nothing. */
+    if (dpu->vector.active)
+        dpu->clock = later(dpu->clock, dpu->t + 1);
+    else if (dpu->second.active)
+        dpu->clock = later(dpu->clock, dpu->t + (dpu->window + 1) / 2);
+    else
         dpu->clock = later(dpu->clock, dpu->t + dpu->window);
 }
 

@@ -39,9 +39,9 @@ static void characters(struct df_dpu *dpu, uint16_t word)
 
     /* In average mode each of the two has half the word's time. */
     dpu->instructions++;
-    dpu->window = window / 2;
-    df_chargen_code(dpu, word & 0177);
     dpu->window = window - window / 2;
+    df_chargen_code(dpu, word & 0177);
+    dpu->window = window / 2;
     if (dpu->state == DF_RUNNING)
         df_chargen_code(dpu, word >> 8 & 0177);
     else

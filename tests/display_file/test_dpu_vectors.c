@@ -118,7 +118,7 @@ static void blinking_items_are_dark_every_other_266_ms(void **state)
     static const struct {
         uint64_t ms;
         bool lit;
-    } cases[] = {{0, true},   {265, true},  {267, false}, {531, false},
+    } cases[] = {{0, true},   {265, true},   {267, false}, {531, false},
                  {533, true}, {1063, false}, {1065, true}};
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         rig_init(r);
