@@ -144,7 +144,8 @@ static void the_chunks_are_these(void **state)
     double gamma, wx, wy, rx, ry, gx, gy, bx, by;
     int intent, count;
     png_textp text;
-    assert_true(png_get_sRGB(p, info, &intent) && png_get_gAMA(p, info, &gamma));
+    assert_true(png_get_sRGB(p, info, &intent));
+    assert_true(png_get_gAMA(p, info, &gamma));
     assert_true(gamma > 0.45454 && gamma < 0.45456);
     assert_true(png_get_cHRM(p, info, &wx, &wy, &rx, &ry, &gx, &gy, &bx, &by));
     assert_true(wx > 0.3126 && wx < 0.3128 && gy > 0.5999 && gy < 0.6001);
@@ -158,6 +159,36 @@ static void the_chunks_are_these(void **state)
     free(png.data);
     free(again.data);
     crt_image_free(&image);
+}
+
+/* What ImageMagick makes of our file, where it is installed: the samples as big-endian bytes. */
+static void imagemagick_reads_the_same_samples(void **state)
+{
+    (void)state;
+    for (int depth = 8; depth <= 16; depth += 8) {
+        struct crt_image image = noise(31, 17, depth);
+        struct crt_error err = {""};
+        const char *path = in_folder("magick.png");
+        assert_true(crt_png_write(path, &image, NULL, 0, &err));
+        char command[400];
+        snprintf(command, sizeof command,
+                 "command -v convert >/dev/null && convert '%s' -depth %d -endian MSB rgb:-", path,
+                 depth);
+        FILE *in = popen(command, "r");
+        assert_non_null(in);
+        uint8_t got[31 * 17 * 6 + 1];
+        size_t count = fread(got, 1, sizeof got, in), samples = 31 * 17 * 3;
+        pclose(in);
+        unlink(path);
+        if (count == 0)
+            print_message("# ImageMagick is not installed; nothing compared\n");
+        else
+            assert_int_equal(count, samples * (size_t)depth / 8);
+        for (size_t i = 0; count && i < samples; i++)
+            assert_int_equal(depth == 8 ? got[i] : got[2 * i] << 8 | got[2 * i + 1],
+                             image.samples[i]);
+        crt_image_free(&image);
+    }
 }
 
 #define W 13
@@ -440,6 +471,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(pictures_survive_a_round_trip),
         cmocka_unit_test(the_chunks_are_these),
+        cmocka_unit_test(imagemagick_reads_the_same_samples),
         cmocka_unit_test(every_kind_of_png_is_read),
         cmocka_unit_test(cut_files_are_refused),
         cmocka_unit_test(damaged_files_are_refused_or_read_whole),
