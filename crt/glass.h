@@ -1,17 +1,17 @@
 /* glass.h — what a viewer sees: the film behind a curved faceplate, in GL 3.3 core.
  *
- *      film (float, per colour) ─▶ resample ─▶ halation (reduced size) ─▶ faceplate, room light ─▶ tone ─▶ sRGB
- *                                                                               overlay text ────────┘
+ *      film (float, per colour) ─▶ resample ─▶ halation (reduced size) ─▶ faceplate, room light ─▶
+ * tone ─▶ sRGB overlay text ────────┘
  *
  * The same code draws in a GLFW window and in an offscreen context. It creates no context and
  * touches no window system: the caller makes a context current and passes its loader.
  *
  * Models:     curvature of the faceplate (spherical), halation (light scattered in it), room light
- *             reflected by glass and phosphor, one tone curve (crt/develop.h), gamut desaturation as in film.
- * Units:      luminance cd/m²; pixels.
- * Ownership:  crt_glass_create allocates GL objects in the current context; destroy needs it current.
- * Errors:     one sentence (missing GL function, shader or framebuffer trouble with the driver named).
- * Not exempted: results vary with the GL driver; compare with tolerance only.
+ *             reflected by glass and phosphor, one tone curve (crt/develop.h), gamut desaturation
+ * as in film. Units:      luminance cd/m²; pixels. Ownership:  crt_glass_create allocates GL
+ * objects in the current context; destroy needs it current. Errors:     one sentence (missing GL
+ * function, shader or framebuffer trouble with the driver named). Not exempted: results vary with
+ * the GL driver; compare with tolerance only.
  */
 #ifndef CRT_GLASS_H
 #define CRT_GLASS_H
@@ -40,13 +40,18 @@ void crt_glass_destroy(struct crt_glass *glass);
 /* "OSMesa / llvmpipe …": GL_RENDERER and GL_VERSION, for the status line. */
 const char *crt_glass_driver(const struct crt_glass *glass);
 
-/* Uploads a complete film. */
+/* Uploads a complete film and keeps its grid; the film may change or go afterwards. */
 void crt_glass_film(struct crt_glass *glass, const struct crt_film *film,
                     const struct crt_phosphor *phosphor);
 
 /* Text and marks drawn over the glass: RGBA, 8 bit, straight alpha, top row first, win_w × win_h;
  * NULL removes it. */
 void crt_glass_overlay(struct crt_glass *glass, const uint8_t *rgba, int width, int height);
+
+/* Where a window pixel (origin top left, y down; fractional) lies on the glass, as crt_glass_draw
+ * shows it: tube millimetres. False off the screen, or before the first film. */
+bool crt_glass_pick(const struct crt_glass *glass, const struct crt_glass_settings *settings,
+                    int width, int height, double x, double y, double *x_mm, double *y_mm);
 
 /* Draws into framebuffer `fbo` (0 = the window) of width × height pixels, letterboxed. */
 void crt_glass_draw(struct crt_glass *glass, const struct crt_glass_settings *settings,
