@@ -15,10 +15,13 @@ static void make_prefix(char *prefix, size_t size, struct crt_glass_variant v)
     snprintf(prefix, size,
              "#version 330 core\n#define SAMPLE_CUBIC %d\n#define SAMPLE_AREA %d\n"
              "#define RADIUS_MAX %d\n#define TONE_SIZE %d\n#define TONE_MAX %.1f\n"
-             "#define BEND_MAX %.2f\n#define COLOURS %d\n#define SAMPLE %d\n#define CURVED %d\n"
+             "#define TONE_SCALE %.9g\n#define TONE_SHOULDER %.9f\n"
+             "#define BEND_MAX %.2f\n#define SAMPLE_EXACT %d\n#define COLOURS "
+             "%d\n#define SAMPLE %d\n#define CURVED %d\n"
              "#define HALO %d\n#define ROOM %d\n",
              CRT_SAMPLE_CUBIC, CRT_SAMPLE_AREA, CRT_HALO_RADIUS_MAX, CRT_TONE_SIZE, CRT_TONE_MAX,
-             CRT_BEND_MAX, v.colours, (int)v.sample, v.curved, v.halo, v.room);
+             (CRT_TONE_SIZE - 1.0) * (CRT_TONE_SIZE - 1.0) / CRT_TONE_MAX, CRT_TONE_SHOULDER,
+             CRT_BEND_MAX, CRT_SAMPLE_EXACT, v.colours, (int)v.sample, v.curved, v.halo, v.room);
 }
 
 static unsigned program(struct crt_glass *glass, struct crt_glass_variant v,
@@ -82,13 +85,11 @@ static bool set_up(struct crt_glass *glass, crt_gl_loader loader, struct crt_err
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
     upload_curve(glass);
-    const struct crt_glass_variant one = {.colours = 1}, two = {.colours = 2};
+    const struct crt_glass_variant plain = {.colours = 1};
     /* The face with every pass on tells at once whether the driver takes our shaders. */
     const struct crt_glass_variant full = {2, CRT_SAMPLE_CUBIC, true, true, true};
-    if (!(glass->shrink[0] = program(glass, one, crt_glass_shrink, err)) ||
-        !(glass->shrink[1] = program(glass, two, crt_glass_shrink, err)) ||
-        !(glass->blur = program(glass, one, crt_glass_blur, err)) ||
-        !(glass->text = program(glass, one, crt_glass_text, err)))
+    if (!(glass->blur = program(glass, plain, crt_glass_blur, err)) ||
+        !(glass->text = program(glass, plain, crt_glass_text, err)))
         return false;
     if (crt_glass_face_program(glass, full))
         return true;
@@ -121,56 +122,20 @@ void crt_glass_destroy(struct crt_glass *glass)
         gl->DeleteTextures((int)(sizeof textures / sizeof textures[0]), textures);
         for (int i = 0; i < CRT_GLASS_VARIANTS; i++)
             gl->DeleteProgram(glass->face[i]);
-        gl->DeleteProgram(glass->shrink[0]);
-        gl->DeleteProgram(glass->shrink[1]);
         gl->DeleteProgram(glass->blur);
         gl->DeleteProgram(glass->text);
         gl->DeleteFramebuffers(1, &glass->framebuffer);
         gl->DeleteVertexArrays(1, &glass->vertex_array);
     }
+    free(glass->block_most);
+    free(glass->block_mean);
+    free(glass->shrunk);
     free(glass);
 }
 
 const char *crt_glass_driver(const struct crt_glass *glass)
 {
     return glass->driver;
-}
-
-/* Linear sRGB of luminance 1: XYZ of the chromaticity through the matrix of IEC 61966-2-1,
- * computed from its primaries. Negative where the phosphor lies outside sRGB. */
-static void unit_rgb(struct crt_chromaticity c, float rgb[3])
-{
-    static const double m[3][3] = {{3.2404542, -1.5371385, -0.4985314},
-                                   {-0.9692660, 1.8760108, 0.0415560},
-                                   {0.0556434, -0.2040259, 1.0572252}};
-    double x = c.x / c.y, z = (1 - c.x - c.y) / c.y;
-    for (int i = 0; i < 3; i++)
-        rgb[i] = (float)(m[i][0] * x + m[i][1] + m[i][2] * z);
-}
-
-void crt_glass_film(struct crt_glass *glass, const struct crt_film *film,
-                    const struct crt_phosphor *phosphor)
-{
-    assert(film->colours >= 1 && film->colours <= CRT_MAX_COLOURS && film->t1 > film->t0);
-    int cols = film->grid.cols, rows = film->grid.rows;
-    glass->grid = film->grid;
-    glass->colours = film->colours;
-    glass->per_second = (double)CRT_PS_PER_S / (double)(film->t1 - film->t0);
-    glass->halo_fresh = false;
-    if (cols > glass->max_side || rows > glass->max_side) {
-        crt_fail(&glass->trouble,
-                 "the film of %d x %d cells is larger than the %d the GL driver "
-                 "(%.100s) takes; use --film, or a smaller picture",
-                 cols, rows, glass->max_side, glass->driver);
-        glass->grid.cols = 0;
-        return;
-    }
-    for (int i = 0; i < film->colours; i++) {
-        unit_rgb(phosphor->colour[i], glass->unit[i]);
-        crt_glass_texture_resize(glass, &glass->film[i], GL_R32F, cols, rows, GL_NEAREST);
-        glass->gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, cols, rows, GL_RED, GL_FLOAT,
-                                film->light[i]);
-    }
 }
 
 /* The first and last column of a row that are not transparent; false when all are. */

@@ -114,32 +114,18 @@ static void blur(const struct crt_glass *glass, double sigma, const struct crt_g
     draw_into(glass, to);
 }
 
-/* Leaves the scattered light in halo[0]. The film is shrunk until sigma is about four texels. */
+/* Leaves the scattered light in halo[0]. */
 static void draw_halo(struct crt_glass *glass)
 {
     const struct crt_gl *gl = &glass->gl;
-    if (glass->halo_fresh)
+    if (glass->halo_fresh || !crt_glass_upload_halo(glass))
         return;
-    const struct crt_grid *g = &glass->grid;
-    double sigma = CRT_HALO_SIGMA_MM / g->cell_mm; /* in cells */
-    int side = g->cols > g->rows ? g->cols : g->rows;
-    int factor = (int)fmin(fmax(floor(sigma / 4), 1), side);
-    for (int i = 0; i < 2; i++)
-        crt_glass_texture_resize(glass, &glass->halo[i], glass->colours == 2 ? GL_RG32F : GL_R32F,
-                                 (g->cols + factor - 1) / factor, (g->rows + factor - 1) / factor,
-                                 GL_LINEAR);
+    double sigma = CRT_HALO_SIGMA_MM / glass->grid.cell_mm / glass->halo_factor;
     gl->BindFramebuffer(GL_FRAMEBUFFER, glass->framebuffer);
-    unsigned shrink = glass->shrink[glass->colours - 1];
-    gl->UseProgram(shrink);
-    bind_films(glass, shrink);
-    set_2i(gl, shrink, "size", g->cols, g->rows);
-    set_1i(gl, shrink, "factor", factor);
-    draw_into(glass, &glass->halo[0]);
     gl->UseProgram(glass->blur);
     set_1i(gl, glass->blur, "source", 0);
-    blur(glass, sigma / factor, &glass->halo[0], &glass->halo[1], 1);
-    blur(glass, sigma / factor, &glass->halo[1], &glass->halo[0], 0);
-    glass->halo_factor = factor;
+    blur(glass, sigma, &glass->halo[0], &glass->halo[1], 1);
+    blur(glass, sigma, &glass->halo[1], &glass->halo[0], 0);
     glass->halo_fresh = true;
 }
 

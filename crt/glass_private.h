@@ -7,6 +7,7 @@
 #include "crt/glass.h"
 #include "crt/glass_shaders.h"
 
+#define CRT_GLASS_BLOCK     8   /* side of a block of film cells */
 #define CRT_HALO_RADIUS_MAX 32  /* taps to one side */
 #define CRT_HALO_SIGMA_MM   9.9 /* see glass.h */
 #define CRT_BEND_MAX                                                                               \
@@ -33,15 +34,20 @@ struct crt_glass {
     struct crt_error trouble; /* the first failure of a call that returns nothing; "" = none */
 
     unsigned vertex_array, framebuffer;
-    unsigned face[CRT_GLASS_VARIANTS], shrink[2], blur, text;
+    unsigned face[CRT_GLASS_VARIANTS], blur, text;
 
     struct crt_glass_texture film[CRT_MAX_COLOURS], halo[2], curve, overlay, target;
     struct crt_grid grid; /* of the film; cols = 0 before the first */
     int colours;
     double per_second; /* 1 / exposure: film to cd/m² */
     float unit[CRT_MAX_COLOURS][3];
+    float *block_most; /* per block, the greatest cell, colours added */
+    float *block_mean; /* per block and colour */
+    size_t block_room; /* blocks that fit */
+    float *shrunk;     /* what goes into halo[0] */
+    size_t shrunk_room;
+    int halo_factor; /* cells to a texel of the halo */
     bool halo_fresh; /* halo[0] belongs to this film */
-    int halo_factor;
 
     int text_left, text_top, text_right,
         text_bottom; /* the overlay's pixels that show; empty = none */
@@ -59,6 +65,12 @@ struct crt_glass_tile {
 };
 void crt_glass_draw_tile(struct crt_glass *glass, const struct crt_glass_settings *settings,
                          unsigned fbo, const struct crt_glass_tile *tile);
+
+/* The film shrunk to its blocks: block_most and block_mean. False when out of memory. */
+bool crt_glass_find_blocks(struct crt_glass *glass, const struct crt_film *film);
+
+/* Shrinks the blocks' means into halo[0], unblurred. */
+bool crt_glass_upload_halo(struct crt_glass *glass);
 
 /* Compiles (once) the program of a variant; 0 and glass->trouble when the driver refuses. */
 unsigned crt_glass_face_program(struct crt_glass *glass, struct crt_glass_variant v);

@@ -29,27 +29,6 @@ const char crt_glass_vertex[] = "void main()\n"
     "}\n"                                                                                          \
     "#endif\n"
 
-/* The mean of `factor` × `factor` cells; cells beyond the film are dark. */
-const char *const crt_glass_shrink[] = {LIGHT "uniform ivec2 size;\n"
-                                              "uniform int factor;\n"
-                                              "out vec4 mean;\n"
-                                              "void main()\n"
-                                              "{\n"
-                                              "    ivec2 low = ivec2(gl_FragCoord.xy) * factor;\n"
-                                              "    ivec2 high = min(low + factor, size);\n"
-                                              "    light sum = light(0.0);\n"
-                                              "    for (int y = low.y; y < high.y; y++)\n"
-                                              "        for (int x = low.x; x < high.x; x++)\n"
-                                              "            sum += film(ivec2(x, y));\n"
-                                              "    sum /= float(factor * factor);\n"
-                                              "#if COLOURS == 2\n"
-                                              "    mean = vec4(sum, 0.0, 1.0);\n"
-                                              "#else\n"
-                                              "    mean = vec4(sum, 0.0, 0.0, 1.0);\n"
-                                              "#endif\n"
-                                              "}\n",
-                                        NULL};
-
 /* One direction of a separable blur; beyond the edge is dark. */
 const char *const crt_glass_blur[] = {
     "uniform sampler2D source;\n"
@@ -71,7 +50,8 @@ const char *const crt_glass_blur[] = {
     NULL};
 
 /* Keys' cubic with a = -0.65: of the cubics of four taps about the one that follows a spot of
- * sigma = 1 cell best (error 2.7 % of its peak; Catmull-Rom's a = -0.5 gives 4.8 %, linear 12 %).
+ * sigma = 1 cell best along one axis (error 2.7 % of its peak; Catmull-Rom's a = -0.5 gives 4.8 %,
+ * linear 12 %).
  */
 #define CUBIC                                                                                      \
     "light sample_film(vec2 t)\n"                                                                  \
@@ -119,10 +99,12 @@ const char *const crt_glass_blur[] = {
 #define DISPLAY                                                                                    \
     "float tone(float v)\n"                                                                        \
     "{\n"                                                                                          \
-    "    float x = sqrt(min(v / TONE_MAX, 1.0)) * float(TONE_SIZE - 1);\n"                         \
-    "    int i = min(int(x), TONE_SIZE - 2);\n"                                                    \
-    "    return mix(texelFetch(curve, ivec2(i, 0), 0).r, texelFetch(curve, ivec2(i + 1, 0), 0).r," \
-    " x - float(i));\n"                                                                            \
+    "    float t = min(v, TONE_MAX) * TONE_SCALE;\n"                                               \
+    "    int i = min(int(sqrt(t)), TONE_SIZE - 2);\n"                                              \
+    "    float a = texelFetch(curve, ivec2(i, 0), 0).r;\n"                                         \
+    "    float b = texelFetch(curve, ivec2(i + 1, 0), 0).r;\n"                                     \
+    "    float shown = a + (b - a) * (t - float(i * i)) / float(2 * i + 1);\n"                     \
+    "    return v <= TONE_SHOULDER ? v : shown;\n"                                                 \
     "}\n"                                                                                          \
     "vec3 fit(float y, vec3 unit)\n"                                                               \
     "{\n"                                                                                          \
@@ -164,16 +146,39 @@ const char *const crt_glass_face[] = {
     "}\n"
     "#endif\n",
     DISPLAY,
+    "vec3 show(light l, float glow, float shade)\n"
+    "{\n"
+    "#if COLOURS == 2\n"
+    "    float y = (l.x + l.y) * scale + glow;\n"
+    "    vec3 rgb = (l.x * unit0 + l.y * unit1) * scale + glow;\n"
+    "#else\n"
+    "    float y = l * scale + glow;\n"
+    "    vec3 rgb = l * scale * unit0 + glow;\n"
+    "#endif\n"
+    "    return encode(fit(tone(y * shade), rgb / max(y, 1e-30)));\n"
+    "}\n"
+    "/* How much room light the face sends back. */\n"
+    "float glint(vec2 c)\n"
+    "{\n"
+    "#if ROOM && CURVED\n"
+    "    /* A lamp up on the left, mirrored weakly and widely. */\n"
+    "    vec2 lamp = c / (0.5 * float(size.y)) - vec2(-0.45, -0.55);\n"
+    "    float n = max(1.0 - 1.6 * dot(lamp, lamp), 0.0);\n"
+    "    return room * (1.0 + 0.5 * n * n);\n"
+    "#else\n"
+    "    return room;\n"
+    "#endif\n"
+    "}\n"
     "void main()\n"
     "{\n"
     "    vec2 p = vec2(origin.x + gl_FragCoord.x, origin.y - gl_FragCoord.y);\n"
     "    vec2 c = (p - middle) * cells_per_pixel;\n"
-    "    vec2 flat_c = c;\n"
+    "    float glow = glint(c);\n"
     "#if CURVED\n"
     "    float u = min(dot(c, c) * bend, BEND_MAX);\n"
     "    c *= 1.0 + u * (1.0 / 6.0 + u * (3.0 / 40.0 + u * (15.0 / 336.0)));\n"
-    "    vec2 out_by = abs(c) - 0.5 * vec2(size) + edge.x;\n"
-    "    float inside = edge.x - length(max(out_by, 0.0)) - min(max(out_by.x, out_by.y), 0.0);\n"
+    "    vec2 past = abs(c) - 0.5 * vec2(size) + edge.x;\n"
+    "    float inside = edge.x - length(max(past, 0.0)) - min(max(past.x, past.y), 0.0);\n"
     "    float shade = smoothstep(0.0, edge.y, inside);\n"
     "#else\n"
     "    vec2 inside = clamp((0.5 * vec2(size) - abs(c)) / cells_per_pixel + 0.5, 0.0, 1.0);\n"
@@ -184,27 +189,7 @@ const char *const crt_glass_face[] = {
     "#if HALO\n"
     "    l = mix(l, READ(texture(halo, t / halo_cells)), halation);\n"
     "#endif\n"
-    "#if COLOURS == 2\n"
-    "    float y = (l.x + l.y) * scale;\n"
-    "    vec3 rgb = (l.x * unit0 + l.y * unit1) * scale;\n"
-    "#else\n"
-    "    float y = l * scale;\n"
-    "    vec3 rgb = y * unit0;\n"
-    "#endif\n"
-    "#if ROOM\n"
-    "    float r = room;\n"
-    "#if CURVED\n"
-    "    /* A lamp up on the left, mirrored weakly and widely by the curved face. */\n"
-    "    vec2 lamp = flat_c / (0.5 * float(size.y)) - vec2(-0.45, -0.55);\n"
-    "    float near = max(1.0 - 1.6 * dot(lamp, lamp), 0.0);\n"
-    "    r *= 1.0 + 0.5 * near * near;\n"
-    "#endif\n"
-    "    y += r;\n"
-    "    rgb += r;\n"
-    "#endif\n"
-    "    rgb *= shade;\n"
-    "    y *= shade;\n"
-    "    picture = vec4(encode(fit(tone(y), rgb / max(y, 1e-30))), 1.0);\n"
+    "    picture = vec4(show(l, glow, shade), 1.0);\n"
     "}\n",
     NULL};
 
