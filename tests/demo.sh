@@ -8,10 +8,10 @@ fi
 out=o/demo
 mkdir -p $out
 echo "No display: writing the tour's pictures into $out/"
-sed -e 's/#.*//' tests/golden/list.txt | while IFS='|' read -r name program options; do
+while IFS='|' read -r name program tube at <&3; do
     name=$(echo "$name" | tr -d ' ')
-    [ -n "$name" ] || continue
+    case "$name" in '' | '#'*) continue ;; esac
     # shellcheck disable=SC2086
-    "$kinescope" capture $program $options --size 1024x1024 -o "$out/$name.png"
+    "$kinescope" capture $program --tube $tube --at $at --size 1024x1024 -o "$out/$name.png"
     echo "  $out/$name.png"
-done
+done 3<tests/golden/list.txt

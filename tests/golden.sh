@@ -18,19 +18,19 @@ report() { # STATUS NAME
     n=$((n + 1))
     if [ "$1" = 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; fi
 }
-while IFS='|' read -r name program options <&3; do
+while IFS='|' read -r name program tube at <&3; do
     name=$(echo "$name" | tr -d ' ')
     program=$(echo "$program" | tr -d ' ')
+    tube=$(echo "$tube" | tr -d ' ')
+    at=$(echo "$at" | tr -d ' ')
     case "$name" in '' | '#'*) continue ;; esac
     to=$out
     [ $regenerate = yes ] && to=$golden
-    # shellcheck disable=SC2086
-    if ! "$kinescope" capture "$program" $options --film --depth 8 --hash -o "$to/$name.png" >"$to/$name.hash"; then
+    if ! "$kinescope" capture "$program" --tube "$tube" --at "$at" --film --depth 8 --hash -o "$to/$name.png" >"$to/$name.hash"; then
         report 1 "$name: capture"
         continue
     fi
-    # shellcheck disable=SC2086
-    if ! "$kinescope" trace "$program" --what dpu >"$to/$name.trace"; then
+    if ! "$kinescope" trace "$program" --tube "$tube" --what dpu >"$to/$name.trace"; then
         report 1 "$name: trace"
         continue
     fi
