@@ -186,7 +186,7 @@ void crt_explain_phosphor(FILE *to, const struct crt_phosphor *p)
     if (p->peak_nm > 0)
         fprintf(to, "  %-13s %g nm\n", "peak", p->peak_nm);
     for (int i = 0; i < p->colours; i++) {
-        char head[16] = "colour";
+        char head[32] = "colour";
         if (p->colours > 1)
             snprintf(head, sizeof head, "colour %d", i + 1);
         fprintf(to, "  %-13s x %.3f  y %.3f\n", head, p->colour[i].x, p->colour[i].y);
@@ -198,7 +198,10 @@ void crt_explain_phosphor(FILE *to, const struct crt_phosphor *p)
     const double model[] = {crt_phosphor_decay_time(p, 0.1), crt_phosphor_decay_time(p, 0.01),
                             crt_phosphor_decay_time(p, 0.001)};
     char from[40];
-    snprintf(from, sizeof from, "made from %s", made_from(p));
+    snprintf(from, sizeof from, "made from %s",
+             p->made_from == CRT_FROM_IMPULSE ? "the impulse response"
+             : p->made_from == CRT_FROM_USER  ? "the terms of the file"
+                                              : made_from(p));
     print_times(to, "this model", model, 0, from);
     const double tek[] = {p->tektronix.t10_s, p->tektronix.t1_s, p->tektronix.t01_s};
     const double jedec[] = {p->jedec.t10_s, p->jedec.t1_s, p->jedec.t01_s};
