@@ -1,0 +1,235 @@
+/* The passes of the glass: halation, face, text. */
+#include <assert.h>
+#include <math.h>
+
+#include "crt/glass_private.h"
+#include "crt/maths.h"
+
+/* How window pixels and film cells lie to each other. */
+struct face {
+    struct crt_viewport place; /* of the flat film in the window */
+    double middle_x, middle_y; /* window pixel of the grid's centre */
+    double cells_per_pixel;
+    double bend; /* (1 cell / face radius)² */
+};
+
+static struct face make_face(const struct crt_glass *glass,
+                             const struct crt_glass_settings *settings, int width, int height)
+{
+    const struct crt_grid *g = &glass->grid;
+    struct face f;
+    f.place = crt_letterbox(g->cols, g->rows, width, height);
+    /* Whole pixels, so that at one cell a pixel the copy is exact in a window of any size. */
+    f.place.x = floor(f.place.x);
+    f.place.y = floor(f.place.y);
+    f.cells_per_pixel = g->cols / f.place.w;
+    f.middle_x = f.place.x + f.place.w / 2;
+    f.middle_y = f.place.y + f.place.h / 2;
+    double radius = settings->face_radius_mm;
+    f.bend = radius > 0 ? g->cell_mm * g->cell_mm / (radius * radius) : 0;
+    return f;
+}
+
+bool crt_glass_pick(const struct crt_glass *glass, const struct crt_glass_settings *settings,
+                    int width, int height, double x, double y, double *x_mm, double *y_mm)
+{
+    const struct crt_grid *g = &glass->grid;
+    if (g->cols == 0 || width <= 0 || height <= 0)
+        return false;
+    struct face f = make_face(glass, settings, width, height);
+    double cx = (x - f.middle_x) * f.cells_per_pixel, cy = (y - f.middle_y) * f.cells_per_pixel;
+    double u = fmin((cx * cx + cy * cy) * f.bend, CRT_BEND_MAX);
+    /* Arc over chord: asin(s)/s with s² = u, to the sixth order, as in the shader. */
+    double k = 1 + u * (1.0 / 6 + u * (3.0 / 40 + u * (15.0 / 336)));
+    double col = cx * k + 0.5 * g->cols, row = cy * k + 0.5 * g->rows;
+    crt_cell_to_mm(g, col - 0.5, row - 0.5, x_mm, y_mm);
+    return col >= 0 && col <= g->cols && row >= 0 && row <= g->rows;
+}
+
+static void set_1i(const struct crt_gl *gl, unsigned program, const char *name, int v)
+{
+    gl->Uniform1i(gl->GetUniformLocation(program, name), v);
+}
+
+static void set_1f(const struct crt_gl *gl, unsigned program, const char *name, double v)
+{
+    gl->Uniform1f(gl->GetUniformLocation(program, name), (float)v);
+}
+
+static void set_2i(const struct crt_gl *gl, unsigned program, const char *name, int x, int y)
+{
+    gl->Uniform2i(gl->GetUniformLocation(program, name), x, y);
+}
+
+static void set_2f(const struct crt_gl *gl, unsigned program, const char *name, double x, double y)
+{
+    gl->Uniform2f(gl->GetUniformLocation(program, name), (float)x, (float)y);
+}
+
+static void set_rgb(const struct crt_gl *gl, unsigned program, const char *name, const float v[3])
+{
+    gl->Uniform3f(gl->GetUniformLocation(program, name), v[0], v[1], v[2]);
+}
+
+static void bind(const struct crt_gl *gl, unsigned unit, const struct crt_glass_texture *texture)
+{
+    gl->ActiveTexture(GL_TEXTURE0 + unit);
+    gl->BindTexture(GL_TEXTURE_2D, texture->name);
+}
+
+static void bind_films(const struct crt_glass *glass, unsigned program)
+{
+    bind(&glass->gl, 0, &glass->film[0]);
+    set_1i(&glass->gl, program, "film0", 0);
+    if (glass->colours == 2) {
+        bind(&glass->gl, 1, &glass->film[1]);
+        set_1i(&glass->gl, program, "film1", 1);
+    }
+}
+
+static void draw_into(const struct crt_glass *glass, const struct crt_glass_texture *texture)
+{
+    const struct crt_gl *gl = &glass->gl;
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture->name, 0);
+    gl->Viewport(0, 0, texture->width, texture->height);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+static void blur(const struct crt_glass *glass, double sigma, const struct crt_glass_texture *from,
+                 const struct crt_glass_texture *to, int along_x)
+{
+    const struct crt_gl *gl = &glass->gl;
+    float weight[CRT_HALO_RADIUS_MAX + 1];
+    int radius = (int)fmin(ceil(3 * sigma), CRT_HALO_RADIUS_MAX);
+    double sum = -1;
+    for (int k = 0; k <= radius; k++)
+        sum += 2 * crt_exp(-0.5 * k * k / (sigma * sigma));
+    for (int k = 0; k <= radius; k++)
+        weight[k] = (float)(crt_exp(-0.5 * k * k / (sigma * sigma)) / sum);
+    gl->Uniform1fv(gl->GetUniformLocation(glass->blur, "weight"), radius + 1, weight);
+    set_1i(gl, glass->blur, "radius", radius);
+    set_2i(gl, glass->blur, "size", from->width, from->height);
+    set_2i(gl, glass->blur, "along", along_x, !along_x);
+    bind(gl, 0, from);
+    draw_into(glass, to);
+}
+
+/* Leaves the scattered light in halo[0]. */
+static void draw_halo(struct crt_glass *glass)
+{
+    const struct crt_gl *gl = &glass->gl;
+    if (glass->halo_fresh || !crt_glass_upload_halo(glass))
+        return;
+    double sigma = CRT_HALO_SIGMA_MM / glass->grid.cell_mm / glass->halo_factor;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, glass->framebuffer);
+    gl->UseProgram(glass->blur);
+    set_1i(gl, glass->blur, "source", 0);
+    blur(glass, sigma, &glass->halo[0], &glass->halo[1], 1);
+    blur(glass, sigma, &glass->halo[1], &glass->halo[0], 0);
+    glass->halo_fresh = true;
+}
+
+/* Sets the scissor to the part of rectangle (x0, y0)…(x1, y1), window pixels from the top left,
+ * that lies in the tile; false when none does. */
+static bool clip(const struct crt_gl *gl, const struct crt_glass_tile *tile, double x0, double y0,
+                 double x1, double y1)
+{
+    int left = (int)fmax(floor(x0) - tile->x, 0), top = (int)fmax(floor(y0) - tile->y, 0);
+    int right = (int)fmin(ceil(x1) - tile->x, tile->w);
+    int bottom = (int)fmin(ceil(y1) - tile->y, tile->h);
+    if (left >= right || top >= bottom)
+        return false;
+    gl->Enable(GL_SCISSOR_TEST);
+    gl->Scissor(left, tile->h - bottom, right - left, bottom - top);
+    return true;
+}
+
+static enum crt_glass_sample sample_of(const struct face *f, bool curved)
+{
+    if (f->cells_per_pixel == 1 && !curved)
+        return CRT_SAMPLE_EXACT;
+    /* The film holds almost nothing above 0.4 cycles a cell (σ ≥ 1 cell: 4 %), so four taps do up
+     * to 1.25 cells a pixel. */
+    return f->cells_per_pixel <= 1.25 ? CRT_SAMPLE_CUBIC : CRT_SAMPLE_AREA;
+}
+
+static void draw_face(struct crt_glass *glass, const struct crt_glass_settings *settings,
+                      const struct face *f, const struct crt_glass_tile *tile)
+{
+    const struct crt_gl *gl = &glass->gl;
+    const struct crt_grid *g = &glass->grid;
+    const struct crt_glass_variant v = {.colours = glass->colours,
+                                        .sample = sample_of(f, f->bend > 0),
+                                        .curved = f->bend > 0,
+                                        .halo = settings->halation > 0,
+                                        .room = settings->room_cd_m2 > 0};
+    unsigned face = crt_glass_face_program(glass, v);
+    if (!face ||
+        !clip(gl, tile, f->place.x, f->place.y, f->place.x + f->place.w, f->place.y + f->place.h))
+        return;
+    gl->UseProgram(face);
+    bind_films(glass, face);
+    bind(gl, 2, &glass->curve);
+    set_1i(gl, face, "curve", 2);
+    if (v.halo) {
+        bind(gl, 3, &glass->halo[0]);
+        set_1i(gl, face, "halo", 3);
+        set_1f(gl, face, "halation", settings->halation);
+        set_2f(gl, face, "halo_cells", glass->halo[0].width * glass->halo_factor,
+               glass->halo[0].height * glass->halo_factor);
+    }
+    set_2i(gl, face, "size", g->cols, g->rows);
+    set_2f(gl, face, "origin", tile->x, tile->y + tile->h);
+    set_2f(gl, face, "middle", f->middle_x, f->middle_y);
+    set_1f(gl, face, "cells_per_pixel", f->cells_per_pixel);
+    set_1f(gl, face, "bend", f->bend);
+    set_2f(gl, face, "edge", 0.02 * g->cols, fmax(1.5 * f->cells_per_pixel, 0.7 / g->cell_mm));
+    set_1f(gl, face, "scale", glass->per_second * settings->gain);
+    set_1f(gl, face, "room", settings->room_cd_m2 * settings->gain);
+    set_rgb(gl, face, "unit0", glass->unit[0]);
+    set_rgb(gl, face, "unit1", glass->unit[1]);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+static void draw_text(struct crt_glass *glass, const struct crt_glass_tile *tile)
+{
+    const struct crt_gl *gl = &glass->gl;
+    if (glass->text_left >= glass->text_right ||
+        !clip(gl, tile, glass->text_left, glass->text_top, glass->text_right, glass->text_bottom))
+        return;
+    gl->UseProgram(glass->text);
+    bind(gl, 0, &glass->overlay);
+    set_1i(gl, glass->text, "overlay", 0);
+    set_2i(gl, glass->text, "corner", tile->x, tile->y + tile->h);
+    set_2i(gl, glass->text, "size", glass->overlay.width, glass->overlay.height);
+    gl->Enable(GL_BLEND);
+    gl->BlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl->Disable(GL_BLEND);
+}
+
+void crt_glass_draw_tile(struct crt_glass *glass, const struct crt_glass_settings *settings,
+                         unsigned fbo, const struct crt_glass_tile *tile)
+{
+    assert(settings->gain > 0 && settings->room_cd_m2 >= 0);
+    assert(settings->halation >= 0 && settings->halation <= 1);
+    const struct crt_gl *gl = &glass->gl;
+    gl->BindVertexArray(glass->vertex_array);
+    gl->Disable(GL_BLEND);
+    gl->Disable(GL_DITHER);
+    gl->Disable(GL_DEPTH_TEST);
+    gl->Disable(GL_SCISSOR_TEST);
+    bool lit = glass->grid.cols > 0;
+    if (lit && settings->halation > 0)
+        draw_halo(glass);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, fbo);
+    gl->Viewport(0, 0, tile->w, tile->h);
+    gl->ClearColor(0, 0, 0, 1);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
+    if (lit) {
+        struct face f = make_face(glass, settings, tile->win_w, tile->win_h);
+        draw_face(glass, settings, &f, tile);
+    }
+    draw_text(glass, tile);
+    gl->Disable(GL_SCISSOR_TEST);
+}

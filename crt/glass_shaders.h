@@ -1,0 +1,23 @@
+/* glass_shaders.h — the GLSL 3.30 sources of the glass; each follows a prefix of #version and
+ * #defines.
+ *
+ * Fragment shaders are lists of pieces ended by NULL, since C99 promises only 4095 characters a
+ * string. Private to the glass. The defines of the face: COLOURS 1|2, SAMPLE one of SAMPLE_*,
+ * CURVED, HALO, ROOM 0|1.
+ */
+#ifndef CRT_GLASS_SHADERS_H
+#define CRT_GLASS_SHADERS_H
+
+enum crt_glass_sample {
+    CRT_SAMPLE_EXACT, /* one film cell is one pixel */
+    CRT_SAMPLE_CUBIC, /* enlarging */
+    CRT_SAMPLE_AREA   /* reducing: the mean over the pixel's area */
+};
+
+extern const char crt_glass_vertex[];
+extern const char *const crt_glass_shrink[];
+extern const char *const crt_glass_blur[];
+extern const char *const crt_glass_face[];
+extern const char *const crt_glass_text[];
+
+#endif
