@@ -22,8 +22,8 @@
 
 #define MS   *1e-3
 #define US   *1e-6
-#define JANK "peak and letters: E. Jankowiak's survey of phosphors. "
-#define XY   "x,y: JEDEC TEP116-C as commonly quoted, not checked (estimate). "
+#define JANK "Peak and letters: E. Jankowiak's survey of phosphors. "
+#define XY   "x, y: JEDEC TEP116-C as commonly quoted, not checked (estimate). "
 #define FIT2 "Terms: two exponentials fitted to the three Tektronix times."
 #define FIT3 "Terms: three exponentials fitted to the three Tektronix times."
 #define TEK(t10, t1, t01)                                                                          \

@@ -22,7 +22,7 @@ bool crt_ini_fail(struct crt_ini *ini, const char *format, ...)
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
     ini->failed = true;
-    return crt_fail(ini->err, "%.100s:%d: %s", ini->path, ini->line, text);
+    return crt_fail(ini->err, "%.200s:%d: %s", ini->path, ini->line, text);
 }
 
 /* ---- text that rows point at ----------------------------------------------------------------- */

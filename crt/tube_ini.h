@@ -1,17 +1,20 @@
 /* tube_ini.h — the INI format for tubes and phosphors of your own (crt_catalogue_load).
  *
- *      ; a comment
+ *      ; a comment, alone or after a blank at the end of a line
  *      [phosphor MYGREEN]
- *      like = P31                          first key; optional: start from a row that exists
+ *      like = P31                        ; first key; optional: start from a row that exists
  *      description = green, faster
- *      letters = GH                        world-wide designation
- *      peak = 525                          nm
- *      luminance = 90                      relative, P31 = 100
- *      colour1 = 0.226 0.528               CIE 1931 x y; colour2 for a second one
- *      rate = 0.949 0.1ms                  amplitude of the light and time constant; one line a
- * term rate = 0.051 2ms tektronix = 0.3ms 4ms 28ms my bench, 2024      published times to 10 %, 1
- * %, 0.1 %, source jedec = 35us..100us TEP116-C        10 % as a range source = my bench, 2024 of
- * colour and terms note = anything worth knowing, continued on a line that begins with a space
+ *      letters = GH                      ; world-wide designation
+ *      peak = 525                        ; nm
+ *      luminance = 90                    ; relative, P31 = 100
+ *      colour1 = 0.226 0.528             ; CIE 1931 x y; colour2 for a second one
+ *      rate = 0.949 0.1ms                ; amplitude of the light, time constant: a line a term
+ *      rate = 0.051 2ms
+ *      tektronix = 0.3ms 4ms 28ms my bench, 2024     ; published times to 10, 1, 0.1 %, source
+ *      jedec = 35us..100us TEP116-C                  ; to 10 % as a range
+ *      source = my bench, 2024                       ; of colour and terms
+ *      note = anything worth knowing,
+ *          continued on a line that begins with a blank
  *
  *      [tube MYTUBE]
  *      like = VR17
@@ -20,16 +23,19 @@
  *      spot = 0.4 (0.3..0.5) measured with a microscope
  *      settle = 0.5
  *
- * Tubes:      every figure of CRT_TUBE_FIGURES is a key: VALUE, or VALUE (LOW..HIGH), and after it
- * the source. Without a range low = high = value; without a source, file and line. Without `like`
- * all figures and the phosphor must be given. Phosphors:  terms are given either as `rate =
- * AMPLITUDE TAU [colour N]` (light at t = 0) or as `term = SHARE TAU [colour N]` (share of the
- * energy); at most CRT_MAX_TERMS, scaled to add up to 1. `t10 = 150ms` instead: one exponential
- * that falls to 10 % in that time. Giving terms replaces all terms of `like`. Order:      `like`
- * names a built-in row or one further up; a tube may use a phosphor further down. Names: letters,
- * digits and _ + . -, at most 23 (tube) or 15 (phosphor). They must be new. Limits:     files of up
- * to 1 MiB, lines of up to 197 bytes, texts of up to 1000. Errors:     the first thing wrong is
- * told as one sentence "FILE:LINE: …" with what was expected.
+ * Tubes:      every figure of CRT_TUBE_FIGURES is a key: VALUE, or VALUE (LOW..HIGH), then the
+ *             source. Without a range low = high = value; without a source, file and line.
+ *             Without `like` all figures and the phosphor must be given.
+ * Phosphors:  terms are given either as `rate = AMPLITUDE TAU [colour N]` (light at t = 0) or as
+ *             `term = SHARE TAU [colour N]` (share of the energy); at most CRT_MAX_TERMS, scaled
+ *             to add up to 1. `t10 = 150ms` instead: one exponential that falls to 10 % in that
+ *             time. Giving terms replaces all terms of `like`.
+ * Order:      `like` names a built-in row or one further up; a tube may use a phosphor further
+ *             down.
+ * Names:      letters, digits and _ + . -, at most 23 (tube) or 15 (phosphor). They must be new.
+ * Limits:     files of up to 1 MiB, lines of up to 197 bytes, texts of up to 1000.
+ * Errors:     the first thing wrong is told as one sentence "FILE:LINE: ..." with what was
+ *             expected.
  */
 #ifndef CRT_TUBE_INI_H
 #define CRT_TUBE_INI_H

@@ -181,6 +181,43 @@ static void a_phosphor_by_shares_and_colours(void **state)
     assert_string_equal(crt_catalogue_tube(&c, "ROUND")->phosphor, "TWO");
 }
 
+/* The example of crt/tube_ini.h, literally. */
+static void the_example_of_the_header(void **state)
+{
+    (void)state;
+    must_load(
+        "; a comment, alone or after a blank at the end of a line\n"
+        "[phosphor MYGREEN]\n"
+        "like = P31                        ; first key; optional: start from a row that exists\n"
+        "description = green, faster\n"
+        "letters = GH                      ; world-wide designation\n"
+        "peak = 525                        ; nm\n"
+        "luminance = 90                    ; relative, P31 = 100\n"
+        "colour1 = 0.226 0.528             ; CIE 1931 x y; colour2 for a second one\n"
+        "rate = 0.949 0.1ms                ; amplitude of the light, time constant: a line a term\n"
+        "rate = 0.051 2ms\n"
+        "tektronix = 0.3ms 4ms 28ms my bench, 2024     ; published times to 10, 1, 0.1 %, source\n"
+        "jedec = 35us..100us TEP116-C                  ; to 10 % as a range\n"
+        "source = my bench, 2024                       ; of colour and terms\n"
+        "note = anything worth knowing,\n"
+        "    continued on a line that begins with a blank\n"
+        "\n"
+        "[tube MYTUBE]\n"
+        "like = VR17\n"
+        "description = a sharper VR17 with my phosphor\n"
+        "phosphor = MYGREEN\n"
+        "spot = 0.4 (0.3..0.5) measured with a microscope\n"
+        "settle = 0.5\n");
+    const struct crt_tube_row *t = crt_catalogue_tube(&c, "MYTUBE");
+    const struct crt_phosphor *p = crt_catalogue_phosphor(&c, t->phosphor);
+    assert_true(t->spot.value == 0.4 && t->settle.value == 0.5);
+    assert_true(p->terms == 2 && p->peak_nm == 525 && p->relative_luminance == 90);
+    assert_string_equal(p->description, "green, faster");
+    assert_string_equal(p->jedec.source, "TEP116-C");
+    assert_string_equal(p->note,
+                        "anything worth knowing, continued on a line that begins with a blank");
+}
+
 static void wrong_tubes(void **state)
 {
     (void)state;
@@ -305,7 +342,7 @@ static void damaged_files(void **state)
                                "VR17\nphosphor = Q\nspot = 0.4 (0.3..0.5) m\n n\nfetch = 1\n";
     uint64_t s = 9;
     int loaded = 0, refused = 0;
-    for (int i = 0; i < 3000; i++) {
+    for (int i = 0; i < 1000; i++) {
         char text[sizeof good];
         memcpy(text, good, sizeof good);
         for (int k = 0; k < 1 + i % 3; k++) {
@@ -327,7 +364,7 @@ static void damaged_files(void **state)
         }
         crt_catalogue_free(&fresh);
     }
-    assert_true(loaded > 50 && refused > 50);
+    assert_true(loaded > 20 && refused > 20);
 }
 
 int main(void)
@@ -339,6 +376,7 @@ int main(void)
         EACH(a_tube_of_its_own_needs_every_figure),
         EACH(a_phosphor_by_rates),
         EACH(a_phosphor_by_shares_and_colours),
+        EACH(the_example_of_the_header),
         EACH(wrong_tubes),
         EACH(wrong_phosphors),
         EACH(hostile_files),
