@@ -14,9 +14,11 @@
  *             display-file address.
  * Order:      `beam 1` first, then tube, phosphor and tick in any order, then strokes in order of
  *             t0, not overlapping; `end` anywhere after the first line, once, normally last, when
- * the writer knows it; strokes may begin after it. A reader refuses others with file and line.
+ *             the writer knows it; strokes may begin after it. A reader refuses others with file
+ *             and line.
  * Text:       fields parted by blanks; blank lines and `#` comments (at the start of a line or
- * after a blank) are skipped; lines of at most CRT_BEAM_LINE characters, ending in LF or CR LF.
+ *             after a blank) are skipped; lines of at most CRT_BEAM_LINE characters, ending in LF
+ *             or CR LF.
  *             Numbers are decimal with `.`, whatever the locale; no hexadecimal, infinity or NaN.
  * Ownership:  the reader owns its FILE; strokes are handed out one at a time.
  * Errors:     one sentence with file:line. The writer leaves write errors to ferror(out).

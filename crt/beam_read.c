@@ -65,6 +65,10 @@ static int read_line(struct crt_beam_reader *r, struct crt_error *err)
     if (count > 0 && r->text[count - 1] == '\r')
         count--;
     r->text[count] = '\0';
+    if (memchr(r->text, '\r', (size_t)count)) {
+        fail_here(r, err, "control character 13 within the line; is this a .beam file?");
+        return -1;
+    }
     return 1;
 }
 

@@ -1,24 +1,29 @@
 /* develop.h — film to picture: linear light to sRGB samples through one tone curve.
  *
- *      light [cd·s/m²] ─÷ exposure─▶ cd/m² per colour ─▶ Y, x,y ─▶ Y·gain ─tone─▶ Y' ─▶ linear sRGB
- *                                                              (desaturated toward D65 until it
- * fits)
+ *      light [cd·s/m²] ─÷ exposure─▶ cd/m² per colour ─▶ Y, x,y ─▶ Y·gain ─tone─▶ Y'
+ *                       Y', x,y ─(desaturated toward D65 until it fits)─▶ linear sRGB
  *
- * Models:     tone(v): the identity to CRT_TONE_SHOULDER, then, with u = (v − shoulder)/(1 −
- * shoulder) and U the u of CRT_TONE_MAX, tone = shoulder + (1 − shoulder)·U·u / (U + (U − 1)·u), a
- * hyperbola that leaves with slope 1 and reaches 1 at CRT_TONE_MAX, where it is flat to 1e-5; 1
- * beyond. Tabulated once; the same table serves the film picture (here) and the glass (as a
- * texture). Luminance of a two-colour phosphor is the sum of its colours', and so is XYZ. Gamut:
- * the linear sRGB of a colour at luminance y is y·(1 + e), e = crt_hue.e. A colour outside
- * sRGB is mixed with D65 at constant luminance, y + chroma·e, with the greatest chroma (at most y)
- * that fits the cube; nothing is clipped channel by channel, and a colour that fits is untouched.
- * Continuous, and no channel falls as y rises. Units:      gain is 1/(cd/m²): relative luminance =
- * gain · luminance; `auto` gain maps the row's line_luminance to 0.8 of white whatever the
- * exposure. Rounding:   samples as defined in crt/srgb.h (halves up); row 0 of the picture is row 0
- * of the film. Determinism: only + − × ÷ √ and crt/maths.h; every pixel by itself, so the same
- * samples for any number of threads. Errors:     out of memory and impossible sizes give a
- * sentence. Light below 0 or NaN counts as 0. Not modelled: the eye's adaptation, and its loss of
- * colour at low luminance.
+ * Models:     tone(v): the identity to CRT_TONE_SHOULDER; above, with u = (v − shoulder)/(1 −
+ *             shoulder) and U the u of CRT_TONE_MAX,
+ *                 tone = shoulder + (1 − shoulder)·U·u / (U + (U − 1)·u),
+ *             a hyperbola that leaves with slope 1 and reaches 1, flat to 1e-5, at CRT_TONE_MAX;
+ *             1 beyond. Tabulated once; the same table serves the film picture (here) and the
+ *             glass (as a texture). The XYZ of a two-colour phosphor are the sums of its
+ *             colours'.
+ * Gamut:      the linear sRGB of a colour at luminance y is y·(1 + e), e = crt_hue.e. A colour
+ *             outside sRGB is mixed with D65 at constant luminance, y + chroma·e, with the
+ *             greatest chroma (at most y) that fits the cube; nothing is clipped channel by
+ *             channel, and a colour that fits is untouched. Continuous, and no channel falls as
+ *             y rises.
+ * Units:      gain is 1/(cd/m²): relative luminance = gain · luminance; `auto` gain maps the
+ *             row's line_luminance to 0.8 of white whatever the exposure.
+ * Rounding:   samples as defined in crt/srgb.h (halves up); row 0 of the picture is row 0 of the
+ *             film.
+ * Determinism: only + − × ÷ √ and crt/maths.h; every pixel by itself, so the same samples for any
+ *             number of threads.
+ * Errors:     out of memory and impossible sizes give a sentence. Light below 0 or NaN counts
+ *             as 0.
+ * Not modelled: the eye's adaptation, and its loss of colour at low luminance.
  */
 #ifndef CRT_DEVELOP_H
 #define CRT_DEVELOP_H

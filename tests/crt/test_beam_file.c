@@ -321,6 +321,7 @@ static void bad_bytes_are_refused(void **state)
     strcpy(text + strlen(text) - 1, "x\n");
     expect_refused(text, "f.beam:4: ", "more than 255 characters");
     expect_refused(HEADER "s 0 1 0 0\001 0 0 1\n", "f.beam:4: ", "control character 1");
+    expect_refused("beam 1\ntube A\r\r\n", "f.beam:2: ", "control character 13");
     FILE *in = tmpfile();
     fwrite("beam 1\0\n", 1, 8, in);
     rewind(in);
