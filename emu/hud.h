@@ -2,13 +2,15 @@
  *
  *      status, help, messages ─▶ vm_hud_draw (CPU, glyphs.h dots) ─▶ RGBA ─▶ crt_glass_overlay
  *
- * Models:     nothing. Text is set in the character generator's own dots, each dot an integer
- * number of window pixels, chosen from the window so that it reads on 800 × 800 and on 4K. Units:
- * window pixels; seconds for fading messages. Text:       ASCII; '\n' starts a line in a message;
- * other bytes show as a filled block. Lines that do not fit are cut and end in "...". Ownership:
- * vm_hud_create allocates, vm_hud_destroy frees; texts are copied. The pixels returned by
- *             vm_hud_draw are the hud's, valid until the next call on it.
- * Errors:     out of memory gives a sentence at creation, later an absent overlay.
+ * Models:     nothing. Text is set in the character generator's own dots, each dot a square of an
+ *             integer number of window pixels, chosen from the window's size: 2 for 800 × 800,
+ *             4 for 3840 × 2160. The help takes smaller dots where it would not fit.
+ * Units:      window pixels; seconds for messages.
+ * Text:       ASCII; '\n' ends a line. Other bytes show as a filled block. All wrap between
+ *             words; what still does not fit is cut and ends in "...".
+ * Ownership:  vm_hud_create allocates, vm_hud_destroy frees; texts are copied. The pixels
+ *             vm_hud_draw returns are the hud's, valid until the next call of it.
+ * Errors:     out of memory gives a sentence at creation, later no overlay.
  */
 #ifndef VM_HUD_H
 #define VM_HUD_H

@@ -3,14 +3,16 @@
  *      open ─▶ loop { poll ─▶ next_event … ─▶ crt_glass_draw(…, 0, w, h) ─▶ swap } ─▶ close
  *
  * Models:     nothing: a thin layer over GLFW, and the only file that knows it. No machine logic.
- * Keys:       F1–F12, and every chord held with Right Ctrl, are the host's (VM_EVENT_HOST_KEY); all
- * others, Tab and Escape included, are the guest's (VM_EVENT_GUEST_KEY, and VM_EVENT_TEXT for the
- *             characters they make). Right Ctrl itself is never reported. A key released after its
- *             press went to the host goes to the host too.
- * Space:      window pixels, that is framebuffer pixels: origin top left, y down, pixel centres at
- * +½. Time:       seconds of a monotonic host clock, the same for events and vm_window_time.
+ * Keys:       F1–F12, and every key pressed while Right Ctrl is held, are the host's
+ *             (VM_EVENT_HOST_KEY); all others, Tab and Escape included, are the guest's
+ *             (VM_EVENT_GUEST_KEY, and VM_EVENT_TEXT for the characters they make). Right Ctrl
+ *             itself is never reported. A release goes to whom the press went.
+ * Space:      window pixels, that is framebuffer pixels: origin top left, y down, the centre of
+ *             the first pixel at ½, ½.
+ * Time:       seconds of a monotonic host clock, the same for events and vm_window_time.
  * Ownership:  vm_window_open allocates, vm_window_close frees. GL objects (crt_glass) must be
- * destroyed before the close. Dropped file names live until the next vm_window_poll or _wait.
+ *             destroyed before the close. Names of dropped files live until the next
+ *             vm_window_poll or _wait.
  * Threads:    everything here on the main thread.
  * Errors:     one sentence; without a display it says what to use instead.
  * Not modelled: pen pressure, joysticks, several windows.
@@ -163,7 +165,6 @@ bool vm_window_screenshot(struct vm_window *window, struct crt_glass *glass,
                           struct crt_image *out, struct crt_error *err);
 
 /* What framebuffer 0 holds right now, 8 bit: call after drawing, before the swap. */
-bool vm_window_read_pixels(struct vm_window *window, struct crt_glass *glass, struct crt_image *out,
-                           struct crt_error *err);
+bool vm_window_read_pixels(struct vm_window *window, struct crt_image *out, struct crt_error *err);
 
 #endif
