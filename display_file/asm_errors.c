@@ -15,11 +15,16 @@ void df_asm_out_of_memory(struct df_asm *as)
     as->errors_dropped++;
 }
 
-static bool already_reported(const struct df_asm *as, uint32_t file, uint32_t line)
+/* One error a line and way to it; and what is wrong whatever the arguments, once for all calls. */
+static bool already_reported(const struct df_asm *as, uint32_t file, uint32_t line, uint32_t column,
+                             const char *message)
 {
     for (uint32_t i = 0; i < as->error_count; i++) {
         const struct df_error *e = &as->errors[i];
-        if (e->file == file && e->line == line && e->chain == as->chain) {
+        if (e->file != file || e->line != line) {
+            continue;
+        }
+        if (e->chain == as->chain || (e->column == column && strcmp(e->message, message) == 0)) {
             return true;
         }
     }
@@ -40,7 +45,7 @@ static void keep(struct df_asm *as, uint32_t file, uint32_t line, uint32_t colum
                  const char *message)
 {
     as->failures++;
-    if (already_reported(as, file, line)) {
+    if (already_reported(as, file, line, column, message)) {
         return;
     }
     if (as->error_count == DF_ASM_ERRORS) {

@@ -2,6 +2,7 @@
  *
  * assemble(disassemble(x)) == x for any words at any addresses: what no mnemonic says exactly is
  * written as an octal .word.
+ * What the assembler refuses cannot come back: the entry must hold a word, below 64 KiB.
  * Ownership:  df_disassemble returns malloced text.
  */
 #ifndef DF_DISASM_H

@@ -5,6 +5,8 @@
  *        it and names the transfer address (odd = none). Display words only: a PDP-11 program in the tape is
  *        not executed, and a tape whose transfer address does not point at a display word that
  *        could start a display file is refused with a sentence saying that it needs a PDP-11.
+ *        "Could start" means: it is a control word, and going on from it, through jumps, over loaded
+ *        words none of which is illegal, comes to a stop or back to a word already passed.
  * raw    a memory image, little-endian words, placed at `base`, started at `start`
  * Errors:     one sentence with file and line (or byte offset); the program is then empty.
  */

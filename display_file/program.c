@@ -2,6 +2,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define WORDS (DF_MEMORY_BYTES / 2)
 
@@ -41,4 +42,18 @@ void df_program_put(struct df_program *p, uint32_t address, uint16_t word)
         p->low = address;
     if (empty || address + 2 > p->high)
         p->high = address + 2;
+}
+
+bool df_program_name_file(struct df_program *p, const char *name, struct crt_error *err)
+{
+    assert(p->files == NULL);
+    p->files = calloc(1, sizeof *p->files);
+    char *copy = malloc(strlen(name) + 1);
+    if (p->files == NULL || copy == NULL) {
+        free(copy);
+        return crt_fail(err, "Out of memory for a display-file program; close other programs.");
+    }
+    p->files[0] = strcpy(copy, name);
+    p->file_count = 1;
+    return true;
 }

@@ -32,4 +32,7 @@ void df_program_free(struct df_program *p);
 /* Puts a word at an even address below DF_MEMORY_BYTES. */
 void df_program_put(struct df_program *p, uint32_t address, uint16_t word);
 
+/* Makes `name` the program's only file, number 0. */
+bool df_program_name_file(struct df_program *p, const char *name, struct crt_error *err);
+
 #endif
