@@ -38,11 +38,9 @@ static int assemble(const struct options *o, const char *path)
 {
     const struct df_asm_options options = {o->listing};
     struct df_asm_report report = {0};
-    struct df_program program;
+    struct df_program program = {0};
     struct crt_error err;
     int status = VM_EXIT_OK;
-    if (!df_program_init(&program, &err))
-        return vm_command_fail(&vm_command_asm, VM_EXIT_TROUBLE, &err);
     if (!df_assemble_file(path, &options, &program, &report)) {
         fputs(report.text ? report.text : "kinescope asm: not enough memory\n", stderr);
         status = VM_EXIT_TROUBLE;

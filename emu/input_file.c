@@ -106,6 +106,7 @@ static bool load_recording(struct vm_input *in, const char *path, struct crt_err
             more = -1;
             break;
         }
+    in->header.end = crt_beam_end(reader);
     crt_beam_close(reader);
     if (more == 0 && in->count == 0)
         return crt_fail(err, "%.300s holds no strokes; a recording needs at least one", path);
@@ -184,8 +185,6 @@ bool vm_input_load(struct vm_input *in, const char *path, const struct vm_input_
     if (report)
         *report = NULL;
     vm_base_name(path, in->name, sizeof in->name);
-    if (!df_program_init(&in->program, err))
-        return false;
     if (!kind)
         ok = unknown_kind(path, err);
     else if (strcmp(kind, "elf") == 0)

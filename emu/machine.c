@@ -124,6 +124,8 @@ bool vm_machine_load(struct vm_machine *m, const struct df_program *program, con
             name, program->entry,
             (m->desc.memory_bytes < DF_ADDRESS_SPACE ? m->desc.memory_bytes : DF_ADDRESS_SPACE) -
                 2);
+    df_dpu_reset(&m->dpu, m->now);
+    m->in_refresh = false;
     memcpy(m->memory, program->words, sizeof m->memory);
     m->entry = program->entry & ~1u;
     m->has_program = true;
@@ -136,6 +138,15 @@ void vm_machine_play(struct vm_machine *m, struct vm_recording recording)
 {
     m->recording = recording;
     m->played = 0;
+}
+
+void vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m)
+{
+    *copy = *m;
+    copy->desc.tube = NULL;
+    copy->dpu.desc.memory = copy->memory;
+    copy->dpu.desc.beam.ctx = copy;
+    copy->dpu.desc.wires.ctx = copy;
 }
 
 /* ---- time ---------------------------------------------------------------------------------------

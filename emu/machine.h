@@ -95,10 +95,11 @@ struct vm_machine {
 
 void vm_machine_init(struct vm_machine *m, const struct vm_machine_desc *desc);
 
-/* Copies the words into display memory and writes the entry to DPC at the present time. `name` is for
- * the sentence. */
+/* Resets the display processor, copies the words into display memory and writes the entry to DPC, at the
+ * present time. `name` is for the sentence. Nothing has changed when it fails. */
 bool vm_machine_load(struct vm_machine *m, const struct df_program *program, const char *name,
                      struct crt_error *err);
+/* Plays a recording instead, from power-on. */
 void vm_machine_play(struct vm_machine *m, struct vm_recording recording);
 
 /* Everything that happens before `until`: words fetched and ticks; then the tube is advanced. */
@@ -110,6 +111,8 @@ void vm_machine_trace(struct vm_machine *m, uint64_t until, const struct vm_hook
 bool vm_machine_run_refresh(struct vm_machine *m, uint64_t limit);
 /* Runs until one more stop word was executed, or to `limit`. */
 bool vm_machine_run_stop(struct vm_machine *m, uint64_t limit);
+/* A copy that goes on alone, without the tube: for looking ahead. */
+void vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m);
 /* Executes one word (or, when the processor waits, goes on to the next tick): a single step. */
 void vm_machine_step(struct vm_machine *m);
 

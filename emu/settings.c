@@ -1,13 +1,11 @@
 #include "emu/settings.h"
 
-#include <math.h>
 #include <string.h>
 #include <unistd.h>
 
 #define ROW(field) offsetof(struct vm_settings_options, field)
 
 #define DEFAULT_TUBE "VR17"
-#define MAX_CELLS    (64 * 1024 * 1024)
 
 const struct vm_option vm_settings_rows[VM_SETTINGS_ROWS] = {
     {"tube", 0, VM_OPT_STRING, ROW(tube), "NAME", "tube row (list tubes); default " DEFAULT_TUBE, 0,
@@ -28,20 +26,6 @@ const struct vm_option vm_settings_rows[VM_SETTINGS_ROWS] = {
      "threads that compute light (the samples do not depend on it)", 1, 64},
     {"simd", 0, VM_OPT_CHOICE, ROW(simd), "auto|baseline|avx2",
      "kernels to use (the samples do not depend on it)", 0, 0},
-};
-
-/* What --set may give a figure; anything not listed: 0 … 100000. */
-static const struct limit {
-    const char *name;
-    double low, high;
-} limits[] = {
-    {"width", 5, 2000},        {"height", 5, 2000},        {"border", 0, 200},
-    {"units_x", 16, 16384},    {"units_y", 16, 16384},     {"face_radius", 0, 1e6},
-    {"halation", 0, 0.9},      {"spot", 0.02, 50},         {"spot_growth", 0, 50},
-    {"spot_exponent", 0, 4},   {"gun_exponent", 0.25, 6},  {"drive_low", 0, 1},
-    {"line_speed", 1e-5, 1e4}, {"line_refresh", 0.1, 1e5}, {"line_luminance", 1e-3, 1e6},
-    {"sync", 0.1, 1e5},        {"fetch", 0.01, 1e5},       {"point", 0.001, 1e5},
-    {"character", 0.1, 1e5},   {"dot", 0.001, 1e5},        {"intensify", 0.001, 1e5},
 };
 
 static int usage(bool ok)
@@ -141,7 +125,7 @@ static bool set_figure(struct vm_settings *s, const char *name, const char *text
                        struct crt_error *err)
 {
     const char *unit = "";
-    double value = 0, low = 0, high = 1e5;
+    double value = 0;
     struct crt_figure *figure = crt_tube_figure(&s->row, name, &unit);
     if (!figure) {
 #define X(field, unit, meaning) #field,
@@ -156,16 +140,8 @@ static bool set_figure(struct vm_settings *s, const char *name, const char *text
     }
     if (!figure_value(text, unit, &value, err))
         return false;
-    for (size_t i = 0; i < sizeof limits / sizeof *limits; i++)
-        if (strcmp(limits[i].name, name) == 0) {
-            low = limits[i].low;
-            high = limits[i].high;
-        }
-    if (value < low || value > high)
-        return crt_fail(err, "%s=%.40s is out of range; give %g to %g %s", name, text, low, high,
-                        strcmp(unit, "1") == 0 ? "" : unit);
     *figure = (struct crt_figure){value, value, value, "set on the command line"};
-    return true;
+    return crt_tube_check_figure(&s->row, name, err);
 }
 
 static bool set_one(struct vm_settings *s, const char *item, struct crt_error *err)
@@ -196,12 +172,8 @@ static bool set_all(struct vm_settings *s, const struct vm_list *set, struct crt
     for (int i = 0; i < set->count; i++)
         if (!set_one(s, set->item[i], &why))
             return crt_fail(err, "--set: %.400s", why.text);
-    struct crt_grid g = crt_tube_grid(&s->row);
-    if ((double)g.cols * (double)g.rows > MAX_CELLS || g.cols < 8 || g.rows < 1)
-        return crt_fail(err,
-                        "--set: so fine a spot on so large a screen makes a film of %dx%d cells, "
-                        "which is too many; raise spot or lower width and height",
-                        g.cols, g.rows);
+    if (!crt_tube_check(&s->row, &why))
+        return crt_fail(err, "--set: %.400s", why.text);
     return true;
 }
 
