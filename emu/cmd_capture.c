@@ -362,7 +362,7 @@ const struct vm_command vm_command_capture = {
     "given.",
     "  kinescope capture star.df -o star.png\n"
     "  kinescope capture star.df --film --depth 16 --hash\n"
-    "  kinescope capture sweep.df --tube P7-radar --at 2.5s -o sweep.png\n"
+    "  kinescope capture sweep.df --tube RADAR7 --at 2.5s -o sweep.png\n"
     "  kinescope capture spin.df --from 0s --to 2s --fps 60 --y4m - | ffmpeg -i - spin.mp4\n"
     "  kinescope capture star.df --closeup 512,512,8 -o spot.png",
     run,
