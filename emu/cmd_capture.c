@@ -305,7 +305,8 @@ static int capture(struct capture *c)
     struct crt_error err;
     int status = vm_settings_resolve(
         &c->o.settings, c->input.is_recording ? &c->input.header : NULL, NULL, &c->settings, &err);
-    c->tube = vm_settings_tube(&c->settings);
+    if (status == VM_EXIT_OK)
+        c->tube = vm_settings_tube(&c->settings);
     if (status == VM_EXIT_OK && c->o.closeup && !closeup(c, &err))
         status = VM_EXIT_USAGE;
     if (status == VM_EXIT_OK)
