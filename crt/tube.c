@@ -125,7 +125,7 @@ void crt_tube_stroke(struct crt_tube *tube, const struct crt_stroke *stroke)
         tube->lost++;
 }
 
-bool crt_tube_check(const struct crt_tube *tube, struct crt_error *err)
+bool crt_tube_intact(const struct crt_tube *tube, struct crt_error *err)
 {
     if (tube->lost == 0)
         return true;

@@ -97,7 +97,7 @@ void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint6
                     double cd_m2[CRT_MAX_COLOURS]);
 
 /* False and a sentence when memory ran out and light was lost since the tube was created. */
-bool crt_tube_check(const struct crt_tube *tube, struct crt_error *err);
+bool crt_tube_intact(const struct crt_tube *tube, struct crt_error *err);
 
 /* Totals for tests and traces, double precision, cd·s/m² summed over cells. */
 struct crt_tube_totals {

@@ -29,6 +29,7 @@ static void drive_line(struct df_dpu *dpu, enum df_interrupt line, bool level, u
 
 void df_dpu_raise(struct df_dpu *dpu, enum df_interrupt line, uint64_t t)
 {
+    dpu->raised_at = t;
     drive_line(dpu, line, true, t);
 }
 
@@ -41,8 +42,11 @@ void df_dpu_stop_for_pen(struct df_dpu *dpu, uint64_t t)
     df_dpu_raise(dpu, DF_INT_PEN, t);
 }
 
+/* A write may come while the word that raised the line is still being drawn: no line falls before
+ * it rises. */
 static void drop_interrupts(struct df_dpu *dpu, uint64_t t)
 {
+    t = later(t, dpu->raised_at);
     for (int line = 0; line < DF_INT_COUNT; line++)
         drive_line(dpu, (enum df_interrupt)line, false, t);
 }

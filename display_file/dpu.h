@@ -100,14 +100,12 @@ struct df_dpu {
     bool illegal;          /* re-fetching an illegal word for ever */
     bool timeout;          /* stopped by a bus time-out */
     uint64_t words;        /* executed since reset */
-    uint64_t instructions; /* executed since reset; a datum or jump of two words counts once, when
-                              complete */
+    uint64_t instructions; /* the same; a datum or jump of two words counts once, at its end */
     struct df_usage usage;
 
     /* registers (dpu_control.c sets them, dpu.c reads them out) */
     unsigned mode, intensity, line_type, step;
-    unsigned
-        opcode; /* MPR 74000: bits 14:11 of the last control word, or the mode of the last datum */
+    unsigned opcode; /* MPR 74000: of the last control word, or the mode of the last datum */
     bool blink, italics, shift_out, pen_interrupt, pen_intensify, stop_interrupt;
     bool internal_stop, hit, edge;
     bool so_error;         /* MPR 100: a code of 40 or more while shifted out */
@@ -115,6 +113,7 @@ struct df_dpu {
     uint16_t hit_x, hit_y; /* latched at a pen hit */
     uint16_t character;    /* the last code the character generator took */
     bool pending[DF_INT_COUNT];
+    uint64_t raised_at; /* when one was raised last, ps */
 
     /* the word being executed (dpu.c, dpu_data.c) */
     uint16_t first_word; /* first half of a two-word datum */

@@ -2,8 +2,8 @@
 # fuzz.sh SECONDS FUZZER... — runs fuzzers (tests/fuzz/fuzz_NAME.c or NAME) for SECONDS each.
 #
 # Builds with clang's libFuzzer, AddressSanitizer and UndefinedBehaviorSanitizer into o/fuzz, starts
-# from the kept corpus tests/corpus/NAME, merges what covers more back into it (minimised, 4 KiB an input at
-# most), and prints the coverage as the fuzzer states it. Findings are left in o/fuzz/NAME-findings; exit
+# from the kept corpus tests/corpus/NAME, adds the inputs that cover more to it (short ones, 4 KiB at most),
+# and prints the coverage as the fuzzer states it. Findings are left in o/fuzz/NAME-findings; exit
 # status 1 when there is any. FUZZ_MAX_LEN overrides the length of inputs while fuzzing.
 set -eu
 if [ $# -lt 2 ]; then
@@ -67,14 +67,10 @@ for fuzzer in "$@"; do
         tail -n 25 "$out/$name.log" >&2
         continue
     fi
-    # Minimise: short inputs that reach every edge that kept and new ones reach together. How often an
-    # edge is passed does not count here, or thousands would be kept.
-    rm -rf "$out/$name-min"
-    mkdir -p "$out/$name-min"
-    "$program" -merge=1 -use_counters=0 -max_len="${FUZZ_MAX_LEN:-4096}" "$out/$name-min" "$corpus" "$work" \
+    # The shortest inputs that reach edges no kept one reaches are kept from now on. How often an edge is
+    # passed does not count, or thousands would be.
+    "$program" -merge=1 -use_counters=0 -max_len="${FUZZ_MAX_LEN:-4096}" "$corpus" "$work" \
         >"$out/$name-merge.log" 2>&1
-    find "$corpus" -type f ! -name 'keep-*' -exec rm {} +
-    cp "$out/$name-min"/* "$corpus"/
     "$program" -runs=0 "$corpus" >"$out/$name-cover.log" 2>&1
     edges=$(sed -n 's/.*Loaded 1 PC tables (\([0-9]*\) PCs).*/\1/p' "$out/$name-cover.log")
     covered=$(sed -n 's/.*INITED cov: \([0-9]*\).*/\1/p' "$out/$name-cover.log")

@@ -223,6 +223,18 @@ static void stop_interrupts_when_enabled(void **state)
     assert_int_equal(r->dpu.state, DF_STOPPED);
 }
 
+static void lines_do_not_fall_before_they_rise(void **state)
+{
+    (void)state;
+    rig_init(r);
+    LOAD(r, 0, 0173400);
+    rig_go(r, 0);
+    expect_event(0, DF_INT_STOP, true, FETCH);
+    df_dpu_write(&r->dpu, DF_DPC, 0, FETCH / 2); /* while the word is still being decoded */
+    expect_event(1, DF_INT_STOP, false, FETCH);
+    assert_int_equal(r->dpu.t, FETCH);
+}
+
 static void sync_waits_for_the_tick(void **state)
 {
     (void)state;
@@ -323,6 +335,7 @@ int main(void)
         cmocka_unit_test(ypr_shows_six_bits_of_the_character),
         cmocka_unit_test(vs60_registers_are_not_there),
         cmocka_unit_test(stop_interrupts_when_enabled),
+        cmocka_unit_test(lines_do_not_fall_before_they_rise),
         cmocka_unit_test(sync_waits_for_the_tick),
         cmocka_unit_test(sync_can_be_left),
         cmocka_unit_test(fetch_beyond_memory_times_out),

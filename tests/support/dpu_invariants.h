@@ -76,7 +76,7 @@ static inline void dpu_watch_interrupt(void *ctx, enum df_interrupt line, bool l
 {
     struct dpu_watch *w = ctx;
     WATCH(line < DF_INT_COUNT && w->lines[line] != level);
-    WATCH(t >= w->line_t || !level);
+    WATCH(t >= w->line_t);
     w->lines[line] = level;
     w->line_t = t;
 }
