@@ -57,6 +57,8 @@ enum {
     GL_R32F = 0x822E,
     GL_RG32F = 0x8230,
     GL_TEXTURE0 = 0x84C0,
+    GL_ARRAY_BUFFER = 0x8892,
+    GL_STREAM_DRAW = 0x88E0,
     GL_FRAGMENT_SHADER = 0x8B30,
     GL_VERTEX_SHADER = 0x8B31,
     GL_COMPILE_STATUS = 0x8B81,
@@ -115,6 +117,14 @@ enum {
     X(void, Uniform2f, (int location, float x, float y))                                           \
     X(void, Uniform3f, (int location, float x, float y, float z))                                  \
     X(void, Uniform4f, (int location, float x, float y, float z, float w))                         \
+    X(void, GenBuffers, (int n, unsigned *names))                                                  \
+    X(void, DeleteBuffers, (int n, const unsigned *names))                                         \
+    X(void, BindBuffer, (unsigned target, unsigned name))                                          \
+    X(void, BufferData, (unsigned target, ptrdiff_t size, const void *data, unsigned usage))       \
+    X(void, EnableVertexAttribArray, (unsigned index))                                             \
+    X(void, VertexAttribPointer,                                                                   \
+      (unsigned index, int size, unsigned type, unsigned char normalised, int stride,              \
+       const void *offset))                                                                        \
     X(void, GenVertexArrays, (int n, unsigned *names))                                             \
     X(void, DeleteVertexArrays, (int n, const unsigned *names))                                    \
     X(void, BindVertexArray, (unsigned name))                                                      \

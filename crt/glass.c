@@ -13,30 +13,34 @@
 static void make_prefix(char *prefix, size_t size, struct crt_glass_variant v)
 {
     snprintf(prefix, size,
-             "#version 330 core\n#define SAMPLE_CUBIC %d\n#define SAMPLE_AREA %d\n"
+             "#version 330 core\n#define SAMPLE_EXACT %d\n#define SAMPLE_CUBIC %d\n#define "
+             "SAMPLE_AREA3 %d\n"
              "#define RADIUS_MAX %d\n#define TONE_SIZE %d\n#define TONE_MAX %.1f\n"
              "#define TONE_SCALE %.9g\n#define TONE_SHOULDER %.9f\n"
-             "#define BEND_MAX %.2f\n#define SAMPLE_EXACT %d\n#define COLOURS "
+             "#define BEND_MAX %.2f\n#define COLOURS "
              "%d\n#define SAMPLE %d\n#define CURVED %d\n"
              "#define HALO %d\n#define ROOM %d\n",
-             CRT_SAMPLE_CUBIC, CRT_SAMPLE_AREA, CRT_HALO_RADIUS_MAX, CRT_TONE_SIZE, CRT_TONE_MAX,
+             CRT_SAMPLE_EXACT, CRT_SAMPLE_CUBIC, CRT_SAMPLE_AREA3, CRT_HALO_RADIUS_MAX,
+             CRT_TONE_SIZE, CRT_TONE_MAX,
              (CRT_TONE_SIZE - 1.0) * (CRT_TONE_SIZE - 1.0) / CRT_TONE_MAX, CRT_TONE_SHOULDER,
-             CRT_BEND_MAX, CRT_SAMPLE_EXACT, v.colours, (int)v.sample, v.curved, v.halo, v.room);
+             CRT_BEND_MAX, v.colours, (int)v.sample, v.curved, v.halo, v.room);
 }
 
-static unsigned program(struct crt_glass *glass, struct crt_glass_variant v,
+static unsigned program(struct crt_glass *glass, struct crt_glass_variant v, const char *vertex,
                         const char *const *fragment, struct crt_error *err)
 {
     char prefix[512];
     make_prefix(prefix, sizeof prefix, v);
-    return crt_gl_program(&glass->gl, prefix, crt_glass_vertex, fragment, err);
+    return crt_gl_program(&glass->gl, prefix, vertex, fragment, err);
 }
 
 unsigned crt_glass_face_program(struct crt_glass *glass, struct crt_glass_variant v)
 {
-    int index = v.colours - 1 + 2 * ((int)v.sample + 3 * (v.curved + 2 * (v.halo + 2 * v.room)));
+    int index =
+        v.colours - 1 + 2 * ((int)v.sample + CRT_SAMPLES * (v.curved + 2 * (v.halo + 2 * v.room)));
     if (!glass->face[index])
-        glass->face[index] = program(glass, v, crt_glass_face, &glass->trouble);
+        glass->face[index] =
+            program(glass, v, crt_glass_place_vertex, crt_glass_face, &glass->trouble);
     return glass->face[index];
 }
 
@@ -82,14 +86,19 @@ static bool set_up(struct crt_glass *glass, crt_gl_loader loader, struct crt_err
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &glass->max_side);
     gl->GenVertexArrays(1, &glass->vertex_array);
     gl->GenFramebuffers(1, &glass->framebuffer);
+    gl->GenBuffers(1, &glass->vertices);
+    gl->BindVertexArray(glass->vertex_array);
+    gl->BindBuffer(GL_ARRAY_BUFFER, glass->vertices);
+    gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, 0, NULL);
+    gl->EnableVertexAttribArray(0);
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
     upload_curve(glass);
     const struct crt_glass_variant plain = {.colours = 1};
     /* The face with every pass on tells at once whether the driver takes our shaders. */
     const struct crt_glass_variant full = {2, CRT_SAMPLE_CUBIC, true, true, true};
-    if (!(glass->blur = program(glass, plain, crt_glass_blur, err)) ||
-        !(glass->text = program(glass, plain, crt_glass_text, err)))
+    if (!(glass->blur = program(glass, plain, crt_glass_vertex, crt_glass_blur, err)) ||
+        !(glass->text = program(glass, plain, crt_glass_vertex, crt_glass_text, err)))
         return false;
     if (crt_glass_face_program(glass, full))
         return true;
@@ -125,11 +134,13 @@ void crt_glass_destroy(struct crt_glass *glass)
         gl->DeleteProgram(glass->blur);
         gl->DeleteProgram(glass->text);
         gl->DeleteFramebuffers(1, &glass->framebuffer);
+        gl->DeleteBuffers(1, &glass->vertices);
         gl->DeleteVertexArrays(1, &glass->vertex_array);
     }
     free(glass->block_most);
     free(glass->block_mean);
     free(glass->shrunk);
+    free(glass->corner);
     free(glass);
 }
 

@@ -5,19 +5,12 @@
 #include "crt/glass_private.h"
 #include "crt/maths.h"
 
-/* How window pixels and film cells lie to each other. */
-struct face {
-    struct crt_viewport place; /* of the flat film in the window */
-    double middle_x, middle_y; /* window pixel of the grid's centre */
-    double cells_per_pixel;
-    double bend; /* (1 cell / face radius)² */
-};
-
-static struct face make_face(const struct crt_glass *glass,
-                             const struct crt_glass_settings *settings, int width, int height)
+static struct crt_glass_face make_face(const struct crt_glass *glass,
+                                       const struct crt_glass_settings *settings, int width,
+                                       int height)
 {
     const struct crt_grid *g = &glass->grid;
-    struct face f;
+    struct crt_glass_face f;
     f.place = crt_letterbox(g->cols, g->rows, width, height);
     /* Whole pixels, so that at one cell a pixel the copy is exact in a window of any size. */
     f.place.x = floor(f.place.x);
@@ -36,11 +29,9 @@ bool crt_glass_pick(const struct crt_glass *glass, const struct crt_glass_settin
     const struct crt_grid *g = &glass->grid;
     if (g->cols == 0 || width <= 0 || height <= 0)
         return false;
-    struct face f = make_face(glass, settings, width, height);
+    struct crt_glass_face f = make_face(glass, settings, width, height);
     double cx = (x - f.middle_x) * f.cells_per_pixel, cy = (y - f.middle_y) * f.cells_per_pixel;
-    double u = fmin((cx * cx + cy * cy) * f.bend, CRT_BEND_MAX);
-    /* Arc over chord: asin(s)/s with s² = u, to the sixth order, as in the shader. */
-    double k = 1 + u * (1.0 / 6 + u * (3.0 / 40 + u * (15.0 / 336)));
+    double k = crt_glass_stretch((cx * cx + cy * cy) * f.bend);
     double col = cx * k + 0.5 * g->cols, row = cy * k + 0.5 * g->rows;
     crt_cell_to_mm(g, col - 0.5, row - 0.5, x_mm, y_mm);
     return col >= 0 && col <= g->cols && row >= 0 && row <= g->rows;
@@ -129,49 +120,40 @@ static void draw_halo(struct crt_glass *glass)
     glass->halo_fresh = true;
 }
 
-/* Sets the scissor to the part of rectangle (x0, y0)…(x1, y1), window pixels from the top left,
- * that lies in the tile; false when none does. */
-static bool clip(const struct crt_gl *gl, const struct crt_glass_tile *tile, double x0, double y0,
-                 double x1, double y1)
+/* The part of rectangle (x0, y0)…(x1, y1), window pixels, that lies in the tile: left, top, right,
+ * bottom in the tile's pixels; false when none does. */
+static bool clip(const struct crt_glass_tile *tile, double x0, double y0, double x1, double y1,
+                 int part[4])
 {
-    int left = (int)fmax(floor(x0) - tile->x, 0), top = (int)fmax(floor(y0) - tile->y, 0);
-    int right = (int)fmin(ceil(x1) - tile->x, tile->w);
-    int bottom = (int)fmin(ceil(y1) - tile->y, tile->h);
-    if (left >= right || top >= bottom)
-        return false;
-    gl->Enable(GL_SCISSOR_TEST);
-    gl->Scissor(left, tile->h - bottom, right - left, bottom - top);
-    return true;
+    part[0] = (int)fmax(floor(x0) - tile->x, 0);
+    part[1] = (int)fmax(floor(y0) - tile->y, 0);
+    part[2] = (int)fmin(ceil(x1) - tile->x, tile->w);
+    part[3] = (int)fmin(ceil(y1) - tile->y, tile->h);
+    return part[0] < part[2] && part[1] < part[3];
 }
 
-static enum crt_glass_sample sample_of(const struct face *f, bool curved)
+static enum crt_glass_sample sample_of(const struct crt_glass_face *f)
 {
-    if (f->cells_per_pixel == 1 && !curved)
+    if (f->cells_per_pixel == 1 && f->bend <= 0)
         return CRT_SAMPLE_EXACT;
     /* The film holds almost nothing above 0.4 cycles a cell (σ ≥ 1 cell: 4 %), so four taps do up
      * to 1.25 cells a pixel. */
-    return f->cells_per_pixel <= 1.25 ? CRT_SAMPLE_CUBIC : CRT_SAMPLE_AREA;
+    return f->cells_per_pixel <= 1.25 ? CRT_SAMPLE_CUBIC
+           : f->cells_per_pixel <= 2  ? CRT_SAMPLE_AREA3
+                                      : CRT_SAMPLE_AREA;
 }
 
-static void draw_face(struct crt_glass *glass, const struct crt_glass_settings *settings,
-                      const struct face *f, const struct crt_glass_tile *tile)
+static void set_face(const struct crt_glass *glass, const struct crt_glass_settings *settings,
+                     const struct crt_glass_face *f, const struct crt_glass_tile *tile,
+                     unsigned face)
 {
     const struct crt_gl *gl = &glass->gl;
     const struct crt_grid *g = &glass->grid;
-    const struct crt_glass_variant v = {.colours = glass->colours,
-                                        .sample = sample_of(f, f->bend > 0),
-                                        .curved = f->bend > 0,
-                                        .halo = settings->halation > 0,
-                                        .room = settings->room_cd_m2 > 0};
-    unsigned face = crt_glass_face_program(glass, v);
-    if (!face ||
-        !clip(gl, tile, f->place.x, f->place.y, f->place.x + f->place.w, f->place.y + f->place.h))
-        return;
     gl->UseProgram(face);
     bind_films(glass, face);
     bind(gl, 2, &glass->curve);
     set_1i(gl, face, "curve", 2);
-    if (v.halo) {
+    if (settings->halation > 0) {
         bind(gl, 3, &glass->halo[0]);
         set_1i(gl, face, "halo", 3);
         set_1f(gl, face, "halation", settings->halation);
@@ -188,15 +170,55 @@ static void draw_face(struct crt_glass *glass, const struct crt_glass_settings *
     set_1f(gl, face, "room", settings->room_cd_m2 * settings->gain);
     set_rgb(gl, face, "unit0", glass->unit[0]);
     set_rgb(gl, face, "unit1", glass->unit[1]);
-    gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+/* Most of a vector display is dark, and sampling is what costs most: squares that no light reaches
+ * are drawn without it, or not at all when halation and room light are off. */
+static void draw_face(struct crt_glass *glass, const struct crt_glass_settings *settings,
+                      const struct crt_glass_face *f, const struct crt_glass_tile *tile)
+{
+    const struct crt_gl *gl = &glass->gl;
+    const enum crt_glass_sample sample = sample_of(f);
+    const struct crt_viewport *place = &f->place;
+    struct crt_glass_variant v = {.colours = glass->colours,
+                                  .curved = f->bend > 0,
+                                  .halo = settings->halation > 0,
+                                  .room = settings->room_cd_m2 > 0};
+    int part[4];
+    if (!clip(tile, place->x, place->y, place->x + place->w, place->y + place->h, part))
+        return;
+    double reach = sample == CRT_SAMPLE_CUBIC ? 2 : fmax(f->cells_per_pixel / 2, 1);
+    /* Half of the least 16-bit sample is 6e-7 of white. */
+    double dark = 5e-7 / (glass->per_second * settings->gain);
+    glass->corners = 0;
+    if (!crt_glass_add_squares(glass, f, tile, part, reach, dark, true))
+        return;
+    size_t lit = glass->corners;
+    if ((v.halo || v.room) && !crt_glass_add_squares(glass, f, tile, part, reach, dark, false))
+        return;
+    gl->BindBuffer(GL_ARRAY_BUFFER, glass->vertices);
+    gl->BufferData(GL_ARRAY_BUFFER, (ptrdiff_t)(glass->corners * 2 * sizeof *glass->corner),
+                   glass->corner, GL_STREAM_DRAW);
+    const size_t first[] = {0, lit, glass->corners};
+    for (int i = 0; i < 2; i++) {
+        v.sample = i == 0 ? sample : CRT_SAMPLE_NONE;
+        unsigned face = first[i] < first[i + 1] ? crt_glass_face_program(glass, v) : 0;
+        if (!face)
+            continue;
+        set_face(glass, settings, f, tile, face);
+        gl->DrawArrays(GL_TRIANGLES, (int)first[i], (int)(first[i + 1] - first[i]));
+    }
 }
 
 static void draw_text(struct crt_glass *glass, const struct crt_glass_tile *tile)
 {
     const struct crt_gl *gl = &glass->gl;
+    int part[4];
     if (glass->text_left >= glass->text_right ||
-        !clip(gl, tile, glass->text_left, glass->text_top, glass->text_right, glass->text_bottom))
+        !clip(tile, glass->text_left, glass->text_top, glass->text_right, glass->text_bottom, part))
         return;
+    gl->Enable(GL_SCISSOR_TEST);
+    gl->Scissor(part[0], tile->h - part[3], part[2] - part[0], part[3] - part[1]);
     gl->UseProgram(glass->text);
     bind(gl, 0, &glass->overlay);
     set_1i(gl, glass->text, "overlay", 0);
@@ -227,7 +249,7 @@ void crt_glass_draw_tile(struct crt_glass *glass, const struct crt_glass_setting
     gl->ClearColor(0, 0, 0, 1);
     gl->Clear(GL_COLOR_BUFFER_BIT);
     if (lit) {
-        struct face f = make_face(glass, settings, tile->win_w, tile->win_h);
+        struct crt_glass_face f = make_face(glass, settings, tile->win_w, tile->win_h);
         draw_face(glass, settings, &f, tile);
     }
     draw_text(glass, tile);

@@ -25,7 +25,7 @@ struct crt_glass_variant {
     enum crt_glass_sample sample;
     bool curved, halo, room;
 };
-#define CRT_GLASS_VARIANTS (2 * 3 * 2 * 2 * 2)
+#define CRT_GLASS_VARIANTS (2 * CRT_SAMPLES * 2 * 2 * 2)
 
 struct crt_glass {
     struct crt_gl gl;
@@ -33,7 +33,7 @@ struct crt_glass {
     int max_side;             /* of a texture */
     struct crt_error trouble; /* the first failure of a call that returns nothing; "" = none */
 
-    unsigned vertex_array, framebuffer;
+    unsigned vertex_array, vertices, framebuffer;
     unsigned face[CRT_GLASS_VARIANTS], blur, text;
 
     struct crt_glass_texture film[CRT_MAX_COLOURS], halo[2], curve, overlay, target;
@@ -49,9 +49,24 @@ struct crt_glass {
     int halo_factor; /* cells to a texel of the halo */
     bool halo_fresh; /* halo[0] belongs to this film */
 
+    float *corner; /* x, y of the face's vertices */
+    size_t corners, corner_room;
+
     int text_left, text_top, text_right,
         text_bottom; /* the overlay's pixels that show; empty = none */
 };
+
+/* How window pixels and film cells lie to each other. */
+struct crt_glass_face {
+    struct crt_viewport place; /* of the flat film in the window */
+    double middle_x, middle_y; /* window pixel of the grid's centre */
+    double cells_per_pixel;
+    double bend; /* (1 cell / face radius)² */
+};
+
+/* Arc over chord: how much farther along the glass than as seen, for the square of (distance as
+ * seen / face radius). asin(s)/s to the sixth order; the shader has the same. */
+double crt_glass_stretch(double u);
 
 /* Binds the texture to unit 0 and gives it storage. `filter` is GL_NEAREST or GL_LINEAR. */
 void crt_glass_texture_resize(struct crt_glass *glass, struct crt_glass_texture *texture,
@@ -65,6 +80,13 @@ struct crt_glass_tile {
 };
 void crt_glass_draw_tile(struct crt_glass *glass, const struct crt_glass_settings *settings,
                          unsigned fbo, const struct crt_glass_tile *tile);
+
+/* Appends to glass->corner the triangles of those squares of a rectangle (framebuffer pixels from
+ * the top left of `tile`) whose samples, reaching `reach` cells, meet film brighter than `dark`,
+ * or, with lit = false, of the others. */
+bool crt_glass_add_squares(struct crt_glass *glass, const struct crt_glass_face *f,
+                           const struct crt_glass_tile *tile, const int rectangle[4], double reach,
+                           double dark, bool lit);
 
 /* The film shrunk to its blocks: block_most and block_mean. False when out of memory. */
 bool crt_glass_find_blocks(struct crt_glass *glass, const struct crt_film *film);

@@ -9,6 +9,13 @@ const char crt_glass_vertex[] = "void main()\n"
                                 "    gl_Position = vec4(p * 2.0 - 1.0, 0.0, 1.0);\n"
                                 "}\n";
 
+/* Pieces of the face, in normalised device coordinates. */
+const char crt_glass_place_vertex[] = "layout(location = 0) in vec2 place;\n"
+                                      "void main()\n"
+                                      "{\n"
+                                      "    gl_Position = vec4(place, 0.0, 1.0);\n"
+                                      "}\n";
+
 /* The film as one float or two, so that a tube of one colour pays for one. */
 #define LIGHT                                                                                      \
     "#if COLOURS == 2\n"                                                                           \
@@ -77,21 +84,37 @@ const char *const crt_glass_blur[] = {
     "    return max(sum, light(0.0));\n"                                                           \
     "}\n"
 
-/* The exact mean of the film, as squares of even light, over a square of `cells_per_pixel`. */
+/* The exact mean of the film, as squares of even light, over a square of `cells_per_pixel`; AREA3
+ * knows that it touches at most three cells each way. */
 #define AREA                                                                                       \
+    "vec2 overlap(vec2 low, vec2 high, ivec2 t)\n"                                                 \
+    "{\n"                                                                                          \
+    "    return max(min(high, vec2(t + 1)) - max(low, vec2(t)), 0.0);\n"                           \
+    "}\n"                                                                                          \
     "light sample_film(vec2 t)\n"                                                                  \
     "{\n"                                                                                          \
     "    vec2 low = clamp(t - 0.5 * cells_per_pixel, vec2(0.0), vec2(size));\n"                    \
     "    vec2 high = clamp(t + 0.5 * cells_per_pixel, vec2(0.0), vec2(size));\n"                   \
-    "    ivec2 from = ivec2(low);\n"                                                               \
-    "    ivec2 to = min(ivec2(ceil(high)), size);\n"                                               \
+    "    ivec2 from = min(ivec2(low), size - 1);\n"                                                \
     "    light sum = light(0.0);\n"                                                                \
+    "#if SAMPLE == SAMPLE_AREA3\n"                                                                 \
+    "    ivec2 mid = min(from + 1, size - 1), to = min(from + 2, size - 1);\n"                     \
+    "    vec2 a = overlap(low, high, from);\n"                                                     \
+    "    vec2 b = overlap(low, high, from + 1);\n"                                                 \
+    "    vec2 c = overlap(low, high, from + 2);\n"                                                 \
+    "#define ROW(y)                                                                   \\\n"        \
+    "    (a.x * film(ivec2(from.x, y)) + b.x * film(ivec2(mid.x, y)) + c.x * film(ivec2(to.x, "    \
+    "y)))\n"                                                                                       \
+    "    sum = a.y * ROW(from.y) + b.y * ROW(mid.y) + c.y * ROW(to.y);\n"                          \
+    "#else\n"                                                                                      \
+    "    ivec2 to = min(ivec2(ceil(high)), size);\n"                                               \
     "    for (int y = from.y; y < to.y; y++) {\n"                                                  \
     "        light row = light(0.0);\n"                                                            \
     "        for (int x = from.x; x < to.x; x++)\n"                                                \
-    "            row += (min(high.x, float(x + 1)) - max(low.x, float(x))) * film(ivec2(x, y));\n" \
-    "        sum += (min(high.y, float(y + 1)) - max(low.y, float(y))) * row;\n"                   \
+    "            row += overlap(low, high, ivec2(x, y)).x * film(ivec2(x, y));\n"                  \
+    "        sum += overlap(low, high, ivec2(from.x, y)).y * row;\n"                               \
     "    }\n"                                                                                      \
+    "#endif\n"                                                                                     \
     "    return sum / (cells_per_pixel * cells_per_pixel);\n"                                      \
     "}\n"
 
@@ -137,12 +160,17 @@ const char *const crt_glass_face[] = {
     "out vec4 picture;\n"
     "#if SAMPLE == SAMPLE_CUBIC\n",
     CUBIC,
-    "#elif SAMPLE == SAMPLE_AREA\n",
+    "#elif SAMPLE >= SAMPLE_AREA3\n",
     AREA,
-    "#else\n"
+    "#elif SAMPLE == SAMPLE_EXACT\n"
     "light sample_film(vec2 t)\n"
     "{\n"
     "    return film(clamp(ivec2(t), ivec2(0), size - 1));\n"
+    "}\n"
+    "#else\n"
+    "light sample_film(vec2 t)\n"
+    "{\n"
+    "    return light(0.0);\n"
     "}\n"
     "#endif\n",
     DISPLAY,

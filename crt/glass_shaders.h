@@ -9,12 +9,16 @@
 #define CRT_GLASS_SHADERS_H
 
 enum crt_glass_sample {
+    CRT_SAMPLE_NONE,  /* the film is dark here */
     CRT_SAMPLE_EXACT, /* one film cell is one pixel */
     CRT_SAMPLE_CUBIC, /* enlarging */
-    CRT_SAMPLE_AREA   /* reducing: the mean over the pixel's area */
+    CRT_SAMPLE_AREA3, /* reducing to no less than half: the mean over the pixel's area */
+    CRT_SAMPLE_AREA,  /* reducing further */
+    CRT_SAMPLES
 };
 
-extern const char crt_glass_vertex[];
+extern const char crt_glass_vertex[];       /* the whole framebuffer: 3 vertices */
+extern const char crt_glass_place_vertex[]; /* vertices from an array, attribute 0 */
 extern const char *const crt_glass_shrink[];
 extern const char *const crt_glass_blur[];
 extern const char *const crt_glass_face[];

@@ -124,10 +124,10 @@ static int smaller(int a, int b)
     return a < b ? a : b;
 }
 
-/* Pixels a dot: 1 below 780 pixels, 2 up to 1319, 4 on a 2160-line monitor. */
+/* Pixels a dot: 1 below 740 pixels, 2 up to 1279, 4 on a 2160-line monitor. */
 static int dot_size(const struct vm_canvas *canvas)
 {
-    int dot = (smaller(canvas->width, canvas->height) + 300) / 540;
+    int dot = (smaller(canvas->width, canvas->height) + 340) / 540;
     return dot > 1 ? dot : 1;
 }
 
