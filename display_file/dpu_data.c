@@ -25,11 +25,7 @@ static int32_t signed_by(uint16_t word, unsigned sign, unsigned magnitude)
 
 static int32_t short_x(uint16_t word)
 {
-<<<<<<< HEAD
     return signed_by(word, DF_SIGN_X, (word & (unsigned)DF_SHORT_DX) >> DF_SHORT_DX_SHIFT);
-=======
-    return signed_by(word, DF_SIGN_X, (unsigned)(word & DF_SHORT_DX) >> DF_SHORT_DX_SHIFT);
->>>>>>> glyphs-simh
 }
 
 static int32_t short_y(uint16_t word)
