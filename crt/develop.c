@@ -90,8 +90,9 @@ static inline void fit(double y, const struct crt_hue *hue, double rgb[3])
 {
     y = y > 0.0 ? least(y, 1.0) : 0.0;
     double chroma = y * hue->keep;
-    if (chroma * hue->high > 1.0 - y)
-        chroma = (1.0 - y) / hue->high;
+    double room = 1.0 - y, rise = chroma * hue->high;
+    if (rise > 0.0)
+        chroma *= room / sqrt(room * room + rise * rise);
     for (int i = 0; i < 3; i++) /* the ends take only the dust of rounding */
         rgb[i] = least(greatest(y + chroma * hue->e[i], 0.0), 1.0);
 }

@@ -10,11 +10,15 @@
  *             1 beyond. Tabulated once; the same table serves the film picture (here) and the
  *             glass (as a texture). The XYZ of a two-colour phosphor are the sums of its
  *             colours'.
- * Gamut:      the linear sRGB of a colour at luminance y is y·(1 + e), e = crt_hue.e. A colour
- *             outside sRGB is mixed with D65 at constant luminance, y + chroma·e, with the
- *             greatest chroma (at most y) that fits the cube; nothing is clipped channel by
- *             channel, and a colour that fits is untouched. Continuous, and no channel falls as
- *             y rises.
+ * Gamut:      the linear sRGB of a colour at luminance y is y·(1 + e), e = crt_hue.e. It is mixed
+ *             with D65 at constant luminance, y + chroma·e; nothing is clipped channel by channel.
+ *             First chroma is held to where no channel falls below 0; then, so that none exceeds
+ *             1, rise (what the strongest channel gains) and room (1 − y) give
+ *                 chroma ← chroma/√(1 + (rise/room)²).
+ *             This is smooth in y. The greatest chroma that fits would leave a hard ring around
+ *             bright points, and make full-drive lines (0.8 of white, where a full green is
+ *             0.715) rows of white beads. The price: a colour that would just fit keeps 0.71 of
+ *             its chroma, one that fills a tenth of its room 0.995. No channel falls as y rises.
  * Units:      gain is 1/(cd/m²): relative luminance = gain · luminance; `auto` gain maps the
  *             row's line_luminance to 0.8 of white whatever the exposure.
  * Rounding:   samples as defined in crt/srgb.h (halves up); row 0 of the picture is row 0 of the
@@ -64,7 +68,8 @@ struct crt_hue crt_hue_of(struct crt_chromaticity c);
 struct crt_hue crt_hue_mix(const struct crt_hue *a, const struct crt_hue *b, double share);
 
 /* Linear sRGB of display luminance y (brought into 0…1), desaturated to fit 0…1:
- *      chroma = y·keep;  if (chroma·high > 1 − y) chroma = (1 − y)/high;  rgb = y + chroma·e. */
+ *      chroma = y·keep;  rise = chroma·high;  room = 1 − y;
+ *      if (rise > 0) chroma = chroma·room/√(room² + rise²);  rgb = y + chroma·e. */
 void crt_fit_hue(double y, const struct crt_hue *hue, double rgb[3]);
 
 /* The same for a chromaticity. */

@@ -131,10 +131,14 @@ const char *const crt_glass_blur[] = {
     "}\n"                                                                                          \
     "vec3 fit(float y, vec3 unit)\n"                                                               \
     "{\n"                                                                                          \
-    "    vec3 d = y * (unit - 1.0);\n"                                                             \
-    "    vec3 reach = (vec3(greaterThan(d, vec3(0.0))) - y) / (d + vec3(equal(d, vec3(0.0))));\n"  \
-    "    reach += 2.0 * vec3(equal(d, vec3(0.0)));\n"                                              \
-    "    return y + d * min(1.0, min(reach.r, min(reach.g, reach.b)));\n"                          \
+    "    vec3 e = unit - 1.0;\n"                                                                   \
+    "    float low = -min(e.r, min(e.g, e.b)), high = max(e.r, max(e.g, e.b));\n"                  \
+    "    float lit = clamp(y, 0.0, 1.0), left = 1.0 - lit;\n"                                      \
+    "    float chroma = low > 1.0 ? lit / low : lit;\n"                                            \
+    "    float rise = chroma * high;\n"                                                            \
+    "    if (rise > 0.0)\n"                                                                        \
+    "        chroma *= left / sqrt(left * left + rise * rise);\n"                                  \
+    "    return clamp(lit + chroma * e, 0.0, 1.0);\n"                                              \
     "}\n"                                                                                          \
     "vec3 encode(vec3 c)\n"                                                                        \
     "{\n"                                                                                          \

@@ -12,36 +12,38 @@ bool df_program_init(struct df_program *p, struct crt_error *err)
     p->words = calloc(WORDS, sizeof *p->words);
     p->loaded = calloc(WORDS, sizeof *p->loaded);
     p->line = calloc(WORDS, sizeof *p->line);
-    if (!p->words || !p->loaded || !p->line) {
+    if (p->words == NULL || p->loaded == NULL || p->line == NULL) {
         df_program_free(p);
-        return crt_fail(err, "not enough memory for a display-file program (2 MB); "
-                             "close other programs and try again");
+        return crt_fail(err, "Out of memory for a display-file program; close other programs.");
     }
     return true;
 }
 
 void df_program_free(struct df_program *p)
 {
+    for (unsigned i = 0; i < p->file_count; i++) {
+        free(p->files[i]);
+    }
+    free(p->files);
     free(p->words);
     free(p->loaded);
     free(p->line);
-    for (unsigned i = 0; i < p->file_count; i++)
-        free(p->files[i]);
-    free(p->files);
     *p = (struct df_program){0};
 }
 
 void df_program_put(struct df_program *p, uint32_t address, uint16_t word)
 {
-    bool empty = p->low == p->high;
-
     assert(address % 2 == 0 && address < DF_MEMORY_BYTES);
     p->words[address / 2] = word;
     p->loaded[address / 2] = 1;
-    if (empty || address < p->low)
+    if (p->low == p->high) {
         p->low = address;
-    if (empty || address + 2 > p->high)
         p->high = address + 2;
+    } else if (address < p->low) {
+        p->low = address;
+    } else if (address >= p->high) {
+        p->high = address + 2;
+    }
 }
 
 bool df_program_name_file(struct df_program *p, const char *name, struct crt_error *err)
