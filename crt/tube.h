@@ -64,6 +64,7 @@ struct crt_film {
     bool complete;
     struct crt_film *next; /* the tube's list of open films */
     uint64_t fed_to;       /* how far light has been gathered; private to the tube */
+    bool blank;            /* nothing gathered yet: samples hold nothing in particular; private */
 };
 
 struct crt_tube *crt_tube_create(const struct crt_tube_desc *desc, struct crt_error *err);
@@ -84,8 +85,9 @@ void crt_tube_set_knobs(struct crt_tube *tube, struct crt_knobs knobs);
 bool crt_film_init(struct crt_film *film, const struct crt_tube *tube, struct crt_error *err);
 void crt_film_free(struct crt_film *film);
 
-/* Clears the film and opens it for [t0, t1), t0 < t1; t0 must not precede the `now` of the last
- * advance. The film must stay alive until it is complete or crt_film_cancel()led. */
+/* Opens the film for [t0, t1), t0 < t1; t0 must not precede the `now` of the last advance. What it held
+ * is gone; its samples mean something once it is complete. The film must stay alive until
+ * then or until crt_film_cancel(). */
 void crt_film_open(struct crt_tube *tube, struct crt_film *film, uint64_t t0, uint64_t t1);
 void crt_film_cancel(struct crt_tube *tube, struct crt_film *film);
 
@@ -93,6 +95,9 @@ void crt_film_cancel(struct crt_tube *tube, struct crt_film *film);
  * last-advance <= t (strokes after t do not count) or within the epoch being journalled. */
 void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint64_t t,
                     double cd_m2[CRT_MAX_COLOURS]);
+
+/* False and a sentence when memory ran out and light was lost since the tube was created. */
+bool crt_tube_intact(const struct crt_tube *tube, struct crt_error *err);
 
 /* Totals for tests and traces, double precision, cd·s/m² summed over cells. */
 struct crt_tube_totals {

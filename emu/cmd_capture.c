@@ -305,7 +305,8 @@ static int capture(struct capture *c)
     struct crt_error err;
     int status = vm_settings_resolve(
         &c->o.settings, c->input.is_recording ? &c->input.header : NULL, NULL, &c->settings, &err);
-    c->tube = vm_settings_tube(&c->settings);
+    if (status == VM_EXIT_OK)
+        c->tube = vm_settings_tube(&c->settings);
     if (status == VM_EXIT_OK && c->o.closeup && !closeup(c, &err))
         status = VM_EXIT_USAGE;
     if (status == VM_EXIT_OK)
@@ -362,7 +363,7 @@ const struct vm_command vm_command_capture = {
     "given.",
     "  kinescope capture star.df -o star.png\n"
     "  kinescope capture star.df --film --depth 16 --hash\n"
-    "  kinescope capture sweep.df --tube P7-radar --at 2.5s -o sweep.png\n"
+    "  kinescope capture sweep.df --tube RADAR7 --at 2.5s -o sweep.png\n"
     "  kinescope capture spin.df --from 0s --to 2s --fps 60 --y4m - | ffmpeg -i - spin.mp4\n"
     "  kinescope capture star.df --closeup 512,512,8 -o spot.png",
     run,

@@ -19,9 +19,15 @@ struct walk {
 
 enum step { STEP_ON, STEP_STOP, STEP_LOOP, STEP_OUT };
 
+/* The program counter has 16 bits: it wraps. */
+static uint32_t following(uint32_t address)
+{
+    return (address + 2) % DF_ADDRESS_SPACE;
+}
+
 static enum step step(struct walk *w)
 {
-    if (w->address >= w->bytes || w->address >= DF_ADDRESS_SPACE)
+    if (w->address + 2 > w->bytes)
         return STEP_OUT;
     uint32_t index = w->address / 2;
     if (w->visited[index])
@@ -29,11 +35,11 @@ static enum step step(struct walk *w)
     w->visited[index] = 1;
     w->syncs_before[index] = w->syncs;
     uint16_t word = w->memory[index];
-    w->address += 2;
+    w->address = following(w->address);
     if (!(word & DF_CONTROL)) {
         w->data_first |= w->syncs == 0;
     } else if ((word & 0174000) == DF_JUMP) {
-        if (w->address >= w->bytes || w->address >= DF_ADDRESS_SPACE)
+        if (w->address + 2 > w->bytes)
             return STEP_OUT;
         w->address = w->memory[w->address / 2] & 0177776u;
     } else if ((word & 0174000) == DF_STATUS_A) {

@@ -179,14 +179,20 @@ bool vm_input_load(struct vm_input *in, const char *path, const struct vm_input_
                    struct crt_error *err, char **report)
 {
     bool raw = options->base.given || options->start.given;
-    const char *kind = raw ? "raw" : kind_of(path);
+    const char *kind = kind_of(path);
     bool ok = false;
     memset(in, 0, sizeof *in);
     if (report)
         *report = NULL;
     vm_base_name(path, in->name, sizeof in->name);
-    if (!kind)
+    if (!kind && raw)
+        ok = load_bytes(in, path, "raw", options, err);
+    else if (!kind)
         ok = unknown_kind(path, err);
+    else if (raw)
+        ok = crt_fail(err,
+                      "%.300s is no raw memory image but a .%s file; leave out --base and --start",
+                      path, kind);
     else if (strcmp(kind, "elf") == 0)
         ok = crt_fail(
             err,

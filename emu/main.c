@@ -24,8 +24,8 @@ static int unknown(const char *name)
     for (size_t i = 0; i < COMMANDS; i++)
         names[i] = commands[i]->name;
     const char *near = vm_nearest(name, names, COMMANDS);
-    fprintf(stderr, "kinescope: there is no subcommand '%.60s'; %s%s\n", name,
-            near ? "did you mean " : "kinescope help lists them", near ? near : "");
+    fprintf(stderr, "kinescope: there is no subcommand '%.60s'; %s%s%s\n", name,
+            near ? "did you mean " : "kinescope help lists them", near ? near : "", near ? "?" : "");
     return VM_EXIT_USAGE;
 }
 

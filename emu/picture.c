@@ -7,8 +7,9 @@
 
 #define ROW(field) offsetof(struct vm_light_options, field)
 
-/* Luminance of the unlit screen in a room with the blinds down; estimate. */
-#define DEFAULT_ROOM_CD_M2 0.15
+/* Luminance of the unlit screen as a share of a full-drive line's: a room darkened to suit the
+ * tube, the faceplate just to be seen; estimate. */
+#define DEFAULT_ROOM 0.005
 
 /* Below half a step of 8-bit sRGB (1/255/12.92/2 in linear light) every sample is 0. */
 #define BLACK 1.5e-4
@@ -19,7 +20,7 @@ const struct vm_option vm_light_rows[VM_LIGHT_ROWS] = {
      "cd/m2",
      0, 0},
     {"room", 0, VM_OPT_REAL, ROW(room), "CD/M2",
-     "room light on the unlit glass, 0 = dark room; default 0.15", 0, 1e4},
+     "room light on the unlit glass, 0 = dark room; default 0.005 of a full-drive line", 0, 1e4},
 };
 
 int vm_light_settings(const struct vm_light_options *o, const struct vm_settings *s,
@@ -27,8 +28,9 @@ int vm_light_settings(const struct vm_light_options *o, const struct vm_settings
 {
     struct crt_error why;
     double value = 1, automatic = crt_auto_gain(&s->row);
+    double room = DEFAULT_ROOM * s->row.line_luminance.value;
     *glass = (struct crt_glass_settings){.gain = automatic,
-                                         .room_cd_m2 = o->room < 0 ? DEFAULT_ROOM_CD_M2 : o->room,
+                                         .room_cd_m2 = o->room < 0 ? room : o->room,
                                          .halation = s->row.halation.value,
                                          .face_radius_mm = s->row.face_radius.value};
     if (!o->gain || strcmp(o->gain, "auto") == 0)

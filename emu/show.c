@@ -69,6 +69,9 @@ static void run_frame(struct vm_show *show, double now)
     double seconds = frame_seconds(show, now);
     if (show->step) {
         show->step = false;
+        /* A refresh that has begun is finished first, so that a whole one is seen. */
+        if (m->in_refresh && m->current.begin < m->now)
+            vm_machine_run_refresh(m, m->now + CRT_PS_PER_S);
         expose(show, next_refresh(show));
     } else if (!show->paused) {
         double ps = seconds * show->scale * (double)CRT_PS_PER_S + show->remainder_ps;
