@@ -19,7 +19,8 @@ static void assign(struct df_asm *as, const struct df_token *name, enum df_symbo
     struct df_argument argument;
     bool ok = take_equals(as) && df_asm_value(as, &argument) && df_asm_end_of_line(as);
     if (!ok) {
-        argument.value = (struct df_value){.kind = DF_VALUE_UNKNOWN, .forward = true};
+        argument.value =
+            (struct df_value){.kind = DF_VALUE_UNKNOWN, .forward = true, .poison = true};
     }
     struct df_local *local = df_asm_local(as, name->text, name->length);
     if (kind == DF_SYMBOL_VARIABLE && local != NULL) {
@@ -186,8 +187,8 @@ static void directive_pos(struct df_asm *as, unsigned what)
         return;
     }
     if (as->argument_count != 2) {
-        df_asm_error(as, as->arguments[0].column, "%u operands; expected x, y",
-                     (unsigned)as->argument_count);
+        df_asm_error(as, as->arguments[0].column, "%u operand%s; expected x, y",
+                     (unsigned)as->argument_count, as->argument_count == 1 ? "" : "s");
         return;
     }
     if (df_asm_layout_integer(as, &as->arguments[0], -2048, 2047, "x", &x) &&
