@@ -66,7 +66,7 @@ struct vm_show {
 
     /* Pace. */
     double scale, remainder_ps, last_time;
-    bool paused, step, quit;
+    bool paused, step, skip, quit;
     double speed, speed_since; /* measured: simulated seconds a second */
     uint64_t speed_from;
 
