@@ -4,7 +4,7 @@
  *
  * Models:     nothing. Films may overlap when the exposure is longer than the frame interval.
  *             Exposures are cut off at power-on.
- * Time:       picoseconds; instants come from the frame's number, never by adding rounded intervals.
+ * Time:       picoseconds; instants come from the frame's number, not by adding rounded intervals.
  * Ownership:  the films belong to vm_expose and live until the sink returns.
  * Errors:     one sentence; a sink that fails stops the run.
  */

@@ -1,8 +1,8 @@
 /* flow.h — where a display file goes round: what one refresh of it is.
  *
- *      entry ─▶ preamble ─▶ head ─▶ … ─▶ jump head       loops without sync: a refresh begins at head
- *      entry ─▶ … sync … ─▶ jump                         loops with sync: it begins at each release
- *      entry ─▶ … ─▶ stop                                the stand-in restarts it: it begins at START
+ *      entry ─▶ preamble ─▶ head ─▶ … ─▶ jump head    loops without sync: a refresh begins at head
+ *      entry ─▶ … sync … ─▶ jump                      loops with sync: it begins at each release
+ *      entry ─▶ … ─▶ stop                             the stand-in restarts it: it begins at START
  *
  * Models:     the VT11 has neither conditions nor subroutines, so the order of its words follows
  *             from the words alone. A refresh ends where the processor stops, starts to wait for a

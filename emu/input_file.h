@@ -1,10 +1,11 @@
 /* input_file.h — what kinescope can be given to show: programs and recordings, told apart.
  *
- *      .df source   .oct words   .lda DEC absolute tape   raw image (--base)  ─▶ display-file program
- *      .beam recording                                                       ─▶ strokes
+ *      .df source   .oct words   .lda DEC absolute tape   raw image (--base) ─▶ program
+ *      .beam recording                                                      ─▶ strokes
  *
  * Ownership:  vm_input_free releases what vm_input_load allocated.
- * Errors:     one sentence; for source with errors `report` also holds all of them (malloced, else NULL).
+ * Errors:     one sentence; for source with errors `report` also holds all of them (malloced, else
+ *             NULL).
  */
 #ifndef EMU_INPUT_FILE_H
 #define EMU_INPUT_FILE_H

@@ -25,7 +25,8 @@ static int unknown(const char *name)
         names[i] = commands[i]->name;
     const char *near = vm_nearest(name, names, COMMANDS);
     fprintf(stderr, "kinescope: there is no subcommand '%.60s'; %s%s%s\n", name,
-            near ? "did you mean " : "kinescope help lists them", near ? near : "", near ? "?" : "");
+            near ? "did you mean " : "kinescope help lists them", near ? near : "",
+            near ? "?" : "");
     return VM_EXIT_USAGE;
 }
 

@@ -2,8 +2,8 @@
  *
  *      --at T                     that time
  *      --when stop:N | refresh:N  end of the N-th stop word or refresh
- *      neither                    end of the first complete refresh that begins at 0.5 s or later; of a
- *                                 recording its end
+ *      neither                    end of the first complete refresh that begins at 0.5 s or later;
+ *                                 of a recording its end
  *
  * Time:       picoseconds since power-on.
  * Errors:     an exit status and one sentence: 1 guest trouble, 2 usage, 3 the moment does not come

@@ -4,7 +4,7 @@
  *            └─ --glass ▶ crt/glass (GL offscreen: OSMesa, else EGL)      ─┘
  *
  * Units:      gain 1/(cd/m²), room light cd/m².
- * Ownership:  vm_studio_open allocates the GL context where one is needed, vm_studio_close frees it.
+ * Ownership:  vm_studio_open creates a GL context where one is needed, vm_studio_close frees it.
  * Errors:     one sentence.
  */
 #ifndef EMU_PICTURE_H
@@ -27,7 +27,7 @@ int vm_light_settings(const struct vm_light_options *options, const struct vm_se
                       struct crt_glass_settings *glass, struct crt_error *err);
 
 struct vm_studio {
-    bool film; /* develop on the CPU */
+    bool film;                         /* develop on the CPU */
     int width, height, depth, threads; /* width and height for glass only */
     struct crt_glass_settings light;
     const struct crt_phosphor *phosphor;

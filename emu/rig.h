@@ -1,4 +1,4 @@
-/* rig.h — a machine with its program and, when somebody looks, its tube: allocated and freed together.
+/* rig.h — a machine with its program and, when somebody looks, its tube: made and freed together.
  *
  * Ownership:  vm_rig_open allocates, vm_rig_close frees; settings and input must outlive the rig.
  * Errors:     one sentence.

@@ -40,8 +40,8 @@ struct vm_settings {
     enum crt_simd simd;
 };
 
-/* `recording` names tube, phosphor and tick where the options do not; NULL for programs. `tube` is the
- * row to take when nothing names one; NULL for the default. */
+/* `recording` names tube, phosphor and tick where the options do not; NULL for programs. `tube` is
+ * the row to take when nothing names one; NULL for the default. */
 int vm_settings_resolve(const struct vm_settings_options *options,
                         const struct crt_beam_header *recording, const char *tube,
                         struct vm_settings *settings, struct crt_error *err);

@@ -63,11 +63,22 @@ static uint64_t next_refresh(const struct vm_show *show)
     return end;
 }
 
+/* Runs to the tick that starts the processor again, if it is not running. */
+static void skip_idle(struct vm_show *show)
+{
+    const struct vm_machine *m = show->program->rig.machine;
+    for (int ticks = 0; ticks < 100 && m->has_program && m->dpu.state != DF_RUNNING; ticks++)
+        expose(show, m->tick_time + 1);
+}
+
 static void run_frame(struct vm_show *show, double now)
 {
     struct vm_machine *m = show->program->rig.machine;
     double seconds = frame_seconds(show, now);
-    if (show->step) {
+    if (show->skip) {
+        show->skip = false;
+        skip_idle(show);
+    } else if (show->step) {
         show->step = false;
         /* A refresh that has begun is finished first, so that a whole one is seen. */
         if (m->in_refresh && m->current.begin < m->now)

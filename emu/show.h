@@ -1,13 +1,14 @@
-/* show.h — a program in a window: real time or slowed, with knobs, on-screen help and a status line.
+/* show.h — a program in a window: real time or slowed, with knobs, help and a status line.
  *
  *      host clock ─▶ pace ─▶ machine ─▶ tube ─▶ film of this frame ─▶ glass ─▶ window
  *      events ─▶ keys (show_keys.c) ─▶ pause, scale, knobs, program ─┘      hud ┘
  *
- * Time:       each host frame the machine runs to T + min(elapsed, 50 ms) × scale and the film gathers
- *             exactly that time. An elapsed time within a third of a frame interval of a whole number of
- *             them counts as that number, so that exposures of a steady display are equal.
+ * Time:       each host frame the machine runs to T + min(elapsed, 50 ms) × scale and the film
+ *             gathers exactly that time. An elapsed time within a third of a frame interval of a
+ *             whole number of them counts as that number: exposures of a steady display are equal.
  * Ownership:  vm_show does all in one call.
- * Errors:     an exit status and one sentence. Trouble with a program is shown on the glass, not ended by.
+ * Errors:     an exit status and one sentence. Trouble with a program is shown on the glass; it
+ *             does not end the show.
  */
 #ifndef EMU_SHOW_H
 #define EMU_SHOW_H
@@ -26,13 +27,13 @@ struct vm_show_desc {
     const struct vm_light_options *light;
     struct vm_size size; /* 0: fits the monitor */
     bool full_screen;
-    double scale;         /* simulated seconds a second */
+    double scale;          /* simulated seconds a second */
     struct vm_time length; /* close after this much simulated time, when given */
 };
 
 int vm_show(const struct vm_show_desc *desc, struct crt_error *err);
 
-/* ---- shared by the files of the show; nobody else uses what follows ------------------------------- */
+/* ---- shared by the files of the show; nobody else uses what follows ----------------------- */
 
 enum vm_knob { VM_KNOB_BRIGHTNESS, VM_KNOB_CONTRAST, VM_KNOB_FOCUS };
 
@@ -65,7 +66,7 @@ struct vm_show {
 
     /* Pace. */
     double scale, remainder_ps, last_time;
-    bool paused, step, quit;
+    bool paused, step, skip, quit;
     double speed, speed_since; /* measured: simulated seconds a second */
     uint64_t speed_from;
 
@@ -81,8 +82,8 @@ struct vm_show {
     int shots;
 };
 
-/* Shows `path` in place of what is shown; keeps the old one and says why when it cannot. `tube` may be
- * NULL. */
+/* Shows `path` in place of what is shown; keeps the old one and says why when it cannot. `tube` may
+ * be NULL. */
 bool vm_show_open(struct vm_show *show, const char *path, const char *tube, struct crt_error *err);
 void vm_show_close(struct vm_shown *program);
 /* Loads the file again when it has changed (or `force`), without disturbing time or phosphor. */

@@ -21,6 +21,7 @@ static const char *const help[] = {
     "B C F\tchoose brightness, contrast or focus",
     "Up Down\tturn the chosen knob",
     "0\tall knobs neutral",
+    "S\tskip the dark time to the next refresh (for slow motion)",
     "R\tload the file again (it is loaded when it changes, too)",
     "1\treal time again",
     "N P\tnext and previous program of the tour",
@@ -173,6 +174,9 @@ static void chord(struct vm_show *show, enum vm_key key)
         break;
     case 'R':
         vm_show_reload(show, true);
+        break;
+    case 'S':
+        show->skip = true;
         break;
     case 'N':
     case 'P':

@@ -1,7 +1,7 @@
 /* trouble.h — what is wrong with a guest program, in one sentence.
  *
- * Models:     nothing; reads the machine's state: a processor that re-fetches an illegal word, a bus
- *             time-out, a program that never lights the beam.
+ * Models:     nothing; reads the machine's state: a processor that re-fetches an illegal word, a
+ *             bus time-out, a program that never lights the beam.
  * Addresses:  octal, with the source line where it is known.
  * Ownership:  nothing.
  */
