@@ -245,12 +245,12 @@ static bool unary_operator(struct df_asm *as, struct df_value *value)
 static bool unary(struct df_asm *as, struct df_value *value)
 {
     const struct df_token *token = &as->lex.token;
-    bool operator= token->kind ==
-        DF_TOKEN_OPERATOR &&(token->op == '-' || token->op == '+' || token->op == '~');
+    bool sign = token->kind == DF_TOKEN_OPERATOR &&
+                (token->op == '-' || token->op == '+' || token->op == '~');
     if (!enter(as, token->column)) {
         return false;
     }
-    bool ok = operator? unary_operator(as, value) : primary(as, value);
+    bool ok = sign ? unary_operator(as, value) : primary(as, value);
     as->nesting--;
     return ok;
 }
@@ -383,10 +383,7 @@ static bool binary_expression(struct df_asm *as, int lowest, struct df_value *va
     for (;;) {
         struct df_token op = as->lex.token;
         int level = precedence(&op);
-        if (level < lowest) {
-            return true;
-        }
-        if (level == 0) {
+        if (level < lowest) { /* 0: no operator */
             return true;
         }
         df_lex_next(&as->lex);

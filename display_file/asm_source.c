@@ -224,6 +224,28 @@ static void close_block(struct matcher *m, uint32_t line)
     }
 }
 
+/* A line that ends or divides a block is not executed: it must hold nothing else. */
+static void check_end(struct df_asm *as, uint32_t file, uint32_t index)
+{
+    const struct df_source_line *line = &as->sources[file].lines[index];
+    const char *word = word_of(line->block);
+    struct df_lexer lex;
+    df_lex_start(&lex, line->text, line->length, true);
+    if (lex.token.kind != DF_TOKEN_NAME || lex.token.text[0] != '.') {
+        df_asm_error_at(as, file, index + 1, lex.token.column,
+                        "a label on a line with %s; expected it on a line of its own", word);
+        return;
+    }
+    df_lex_next(&lex);
+    if (line->block == DF_BLOCK_END_MACRO && lex.token.kind == DF_TOKEN_NAME) {
+        df_lex_next(&lex); /* .ENDM NAME */
+    }
+    if (lex.token.kind != DF_TOKEN_END) {
+        df_asm_error_at(as, file, index + 1, lex.token.column,
+                        "more after %s; expected the end of the line", word);
+    }
+}
+
 static void match_blocks(struct df_asm *as, uint32_t file)
 {
     struct matcher m = {.as = as, .source = &as->sources[file], .file = file};
@@ -241,6 +263,7 @@ static void match_blocks(struct df_asm *as, uint32_t file)
             break;
         default:
             close_block(&m, i);
+            check_end(as, file, i);
         }
     }
     while (m.depth > 0) {

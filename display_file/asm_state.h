@@ -29,6 +29,7 @@
 #define DF_ASM_NESTING       100  /* parentheses and unary operators */
 #define DF_ASM_WORDS         1000000u
 #define DF_ASM_ERRORS        1000u
+#define DF_ASM_SUGGESTIONS   50u /* "did you mean": each looks at every name there is */
 #define DF_ASM_FILES         255u
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
 #define DF_ASM_STEPS 20000u
@@ -181,6 +182,7 @@ struct df_asm {
     struct df_text calls; /* the same for people, one call a line */
     uint32_t nesting;
     uint32_t steps;
+    uint32_t suggestions;
 
     /* output */
     uint32_t address;  /* byte address, odd after an odd number of bytes */

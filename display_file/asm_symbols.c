@@ -200,6 +200,12 @@ bool df_asm_define(struct df_asm *as, const struct df_token *name, enum df_symbo
                      kind == DF_SYMBOL_LABEL ? ", or a local one such as @loop" : "");
         return false;
     }
+    if (as->pass == 2 && kind == DF_SYMBOL_LABEL && symbol->kind == kind && as->failures == 0 &&
+        symbol->value.number != value.number) {
+        /* Cannot happen: what decides the layout is known in both passes alike. */
+        df_asm_error(as, name->column, "'%.*s' moved from 0o%o to 0o%o between the passes", shown,
+                     name->text, (unsigned)symbol->value.number, (unsigned)value.number);
+    }
     symbol->kind = kind;
     symbol->value = value;
     symbol->pass = (uint8_t)as->pass;
@@ -250,7 +256,7 @@ static struct df_value from_below(struct df_asm *as, const struct df_token *name
     int shown = name->length > 40 ? 40 : (int)name->length;
     struct df_value value = symbol->value;
     value.forward = true;
-    if (symbol->kind == DF_SYMBOL_VARIABLE) {
+    if (symbol->kind == DF_SYMBOL_VARIABLE && !as->dec) {
         df_asm_error(as, name->column,
                      "'%.*s' is set only further down, at %s:%u; expected a .set above", shown,
                      name->text, df_asm_name(as, symbol->file), (unsigned)symbol->line);
@@ -329,7 +335,8 @@ static void consider(const struct df_token *name, const char *candidate, unsigne
                      const char **found)
 {
     uint32_t length = (uint32_t)strlen(candidate);
-    if (length > NEAR || name->length > NEAR) {
+    if (length > NEAR || name->length > NEAR || length > name->length + *best ||
+        name->length > length + *best) {
         return;
     }
     unsigned d = distance(name->text, name->length, candidate, length);
@@ -345,6 +352,9 @@ const char *df_asm_nearest(struct df_asm *as, const struct df_token *name, bool 
 {
     unsigned best = name->length < 3 ? 1 : name->length < 6 ? 2 : 3;
     const char *found = NULL;
+    if (++as->suggestions > DF_ASM_SUGGESTIONS) {
+        return NULL;
+    }
     for (uint32_t i = 0; symbols && i < as->symbols.capacity; i++) {
         const struct df_symbol *symbol = as->symbols.slots[i];
         if (symbol != NULL && symbol->kind != DF_SYMBOL_UNDEFINED &&
