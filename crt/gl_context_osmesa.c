@@ -82,21 +82,3 @@ bool crt_gl_open_osmesa(struct crt_gl_backend_state *out, struct crt_error *err)
     out->destroy = osmesa_destroy;
     return true;
 }
-
-#if defined(__SANITIZE_ADDRESS__)
-#define LEAKS_ARE_REPORTED
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define LEAKS_ARE_REPORTED
-#endif
-#endif
-#ifdef LEAKS_ARE_REPORTED
-/* Mesa keeps a record of some hundred bytes for every context that was ever current. LeakSanitizer
- * calls this by its name. */
-const char *__lsan_default_suppressions(void);
-const char *__lsan_default_suppressions(void)
-{
-    return "leak:libOSMesa.so\nleak:libGLX_mesa.so\nleak:swrast_dri.so\nleak:libGLX.so\n"
-           "leak:libX11.so\nleak:libEGL_mesa.so\n";
-}
-#endif
