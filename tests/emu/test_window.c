@@ -163,9 +163,9 @@ static void shows_what_the_offscreen_glass_renders(void **state)
 {
     (void)state;
     struct crt_error err = {""};
-    struct crt_film film = new_film();
     struct crt_image drawn, shot, screen, offscreen;
     struct vm_window *window = open_window();
+    struct crt_film film = new_film();
     struct crt_glass *glass = new_glass(vm_window_loader(window), &film);
     int width = 0, height = 0;
     vm_window_size(window, &width, &height);
@@ -273,20 +273,26 @@ static void without_a_display_says_what_to_use(void **state)
 {
     (void)state;
     struct crt_error err = {""};
+    const char *display = getenv("DISPLAY");
+    char kept[64] = "";
+    snprintf(kept, sizeof kept, "%s", display ? display : "");
     unsetenv("DISPLAY");
     unsetenv("WAYLAND_DISPLAY");
     assert_null(vm_window_open(WIDTH, HEIGHT, "test", &err));
     assert_non_null(strstr(err.text, "kinescope capture FILE -o OUT.png"));
     assert_non_null(strstr(err.text, "xvfb-run"));
+    if (display)
+        setenv("DISPLAY", kept, 1);
 }
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        /* First: GLFW stays with the display it has found. */
+        cmocka_unit_test(without_a_display_says_what_to_use),
         cmocka_unit_test(shows_what_the_offscreen_glass_renders),
         cmocka_unit_test(keys_go_to_host_or_guest),
         cmocka_unit_test(full_screen_and_back),
-        cmocka_unit_test(without_a_display_says_what_to_use),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);
 }
