@@ -56,11 +56,14 @@ TEST_LIBS := -lcmocka
 .DELETE_ON_ERROR:
 .PHONY: all demo test check sanitize tsan bench golden layers headers format clean help deps fuzz
 
-all: $(KINESCOPE) kinescope
+all: $(KINESCOPE)
 
-# The command in the top folder is always the one last built.
+# The command in the top folder is the one to use: never a debug or sanitizer build.
+ifeq ($(MODE),rel)
+all: kinescope
 kinescope: $(KINESCOPE)
 	@ln -sf $< $@
+endif
 
 # ---- rules ---------------------------------------------------------------------------------------
 
