@@ -17,6 +17,7 @@ struct crt_entry {
     struct crt_stroke stroke;
     double power; /* cd·mm²/m²: energy per second of beam */
     double sigma_mm;
+    double crest; /* of the whole stroke on film, were all its energy emitted; cd·s/m² */
 };
 
 struct crt_entries {

@@ -410,17 +410,6 @@ static void add_planes(struct crt_pass *pass)
     pass->planes = pass->receivers;
 }
 
-static void note_brightest(struct crt_pass *pass, const struct crt_entries *entries, uint64_t begin,
-                           uint64_t end)
-{
-    const struct crt_grid *grid = &pass->tube->desc.grid;
-    struct crt_drawn drawn;
-    for (size_t i = 0; i < entries->count; i++)
-        if (crt_drawn_init(&drawn, &entries->at[i], grid, begin, end))
-            crt_plan_brightest(&drawn, grid, pass->receiver + pass->planes,
-                               pass->receivers - pass->planes);
-}
-
 /* Strokes between `begin` and `end` to the pass's receivers. */
 static void plan_entries(struct crt_pass *pass, const struct crt_entries *entries, uint64_t begin,
                          uint64_t end)
@@ -428,7 +417,8 @@ static void plan_entries(struct crt_pass *pass, const struct crt_entries *entrie
     const struct crt_grid *grid = &pass->tube->desc.grid;
     struct crt_drawn drawn;
     if (pass->feeds > 0)
-        note_brightest(pass, entries, begin, end);
+        crt_plan_brightest(entries, grid, begin, end, pass->receiver + pass->planes,
+                           pass->receivers - pass->planes);
     for (size_t i = 0; i < entries->count; i++) {
         struct planning planning = {pass, &entries->at[i]};
         if (crt_drawn_init(&drawn, &entries->at[i], grid, begin, end))

@@ -34,11 +34,14 @@ static uint64_t earlier(uint64_t a, uint64_t b)
     return a < b ? a : b;
 }
 
-/* The brightest cell of `energy` spread over a line, from below: erf(L/2√2) is at least 0.68 from
- * 2 sigma on, and falls more slowly than L below. */
-static double crest_of(double energy, double length, double sigma)
+/* The brightest cell of energy spread over a line: erf(L/2√2) is at least 0.68 from 2 sigma on, and
+ * falls more slowly than L below. */
+double crt_plan_crest(const struct crt_entry *entry)
 {
-    double full = energy / (CRT_LINE_AREA * sigma);
+    const struct crt_stroke *s = &entry->stroke;
+    double dx = (double)s->x1 - (double)s->x0, dy = (double)s->y1 - (double)s->y0;
+    double length = sqrt(dx * dx + dy * dy), sigma = entry->sigma_mm;
+    double full = entry->power * crt_seconds(s->t0, s->t1) / (CRT_LINE_AREA * sigma);
     if (length >= 6 * sigma)
         return full / length;
     return 0.68 * full / fmax(length, 2 * sigma);
@@ -78,8 +81,7 @@ bool crt_drawn_init(struct crt_drawn *d, const struct crt_entry *entry, const st
     if (fmax(d->x0, x1) < -reach || fmin(d->x0, x1) > grid->cols + reach ||
         fmax(d->y0, y1) < -reach || fmin(d->y0, y1) > grid->rows + reach)
         return false;
-    double length = sqrt(d->dx * d->dx + d->dy * d->dy);
-    d->crest = crest_of(d->power * crt_seconds(d->t0, d->t1), length, d->sigma);
+    d->crest = entry->crest;
     if (fmax(fabs(d->x0), fabs(x1)) > FAR || fmax(fabs(d->y0), fabs(y1)) > FAR)
         if (!cut_to_grid(d, grid))
             return false;
@@ -96,25 +98,34 @@ static bool overlap(const struct crt_drawn *d, const struct crt_share *share, ui
     return *from < *to;
 }
 
-void crt_plan_brightest(const struct crt_drawn *d, const struct crt_grid *grid,
-                        struct crt_receiver *receivers, int count)
+static bool middle_on_grid(const struct crt_stroke *s, const struct crt_grid *grid)
 {
-    double u = (span(d->t0, d->from) + span(d->from, d->to) / 2) / span(d->t0, d->t1);
-    double x = d->x0 + d->dx * u, y = d->y0 + d->dy * u;
-    if (x < 0 || y < 0 || x > grid->cols - 1 || y > grid->rows - 1)
-        return;
+    double col, row;
+    crt_mm_to_cell(grid, ((double)s->x0 + (double)s->x1) / 2, ((double)s->y0 + (double)s->y1) / 2,
+                   &col, &row);
+    return col >= 0 && row >= 0 && col <= grid->cols - 1 && row <= grid->rows - 1;
+}
+
+void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid *grid,
+                        uint64_t from, uint64_t to, struct crt_receiver *receivers, int count)
+{
     for (int i = 0; i < count; i++)
         for (int k = 0; k < receivers[i].shares; k++) {
             const struct crt_share *share = &receivers[i].share[k];
-            uint64_t from, to;
-            if (!overlap(d, share, &from, &to))
-                continue;
-            /* A part of a stroke may be shorter than sigma, and dimmer for that. */
-            double part = d->moving ? 1 : span(from, to) / span(d->t0, d->t1);
-            if (d->moving && !(from == d->t0 && to == d->t1))
-                continue;
-            double bright = part * d->crest * crt_share_over(share, from, to).mean;
-            receivers[i].brightest = fmax(receivers[i].brightest, bright);
+            uint64_t begin = later(from, share->from), end = earlier(to, share->to);
+            double most = crt_share_total(share);
+            for (size_t n = 0; n < entries->count; n++) {
+                const struct crt_entry *entry = &entries->at[n];
+                const struct crt_stroke *s = &entry->stroke;
+                if (entry->crest * most <= receivers[i].brightest || s->t0 < begin || s->t1 > end ||
+                    !middle_on_grid(s, grid))
+                    continue;
+                double mean = crt_share_over(share, s->t0, s->t1).mean;
+                receivers[i].brightest = fmax(receivers[i].brightest, entry->crest * mean);
+                /* Within an exposure shares only fall: later strokes get no more. */
+                if (share->within)
+                    most = fmin(most, mean * (1 + 1e-9));
+            }
         }
 }
 

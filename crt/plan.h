@@ -55,9 +55,13 @@ struct crt_drawn {
 bool crt_drawn_init(struct crt_drawn *drawn, const struct crt_entry *entry,
                     const struct crt_grid *grid, uint64_t from, uint64_t to);
 
-/* Notes how bright the stroke is in each receiver. */
-void crt_plan_brightest(const struct crt_drawn *drawn, const struct crt_grid *grid,
-                        struct crt_receiver *receivers, int count);
+/* The crest of an entry's light, from below. */
+double crt_plan_crest(const struct crt_entry *entry);
+
+/* Notes in each receiver the crest of the brightest stroke that is drawn between `from` and `to`
+ * and crosses the grid with its middle. */
+void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid *grid,
+                        uint64_t from, uint64_t to, struct crt_receiver *receivers, int count);
 
 /* Calls emit for each piece, in an order that is each receiver's order of time. */
 typedef void crt_plan_emit(void *context, const struct crt_piece_plan *piece);

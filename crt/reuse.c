@@ -3,26 +3,27 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SLOTS        32768u /* stored footprints, at most three quarters of it used */
-#define CANDIDATES   65536u /* strokes seen once */
+#define SLOTS        16384u /* stored footprints, at most three quarters of it used */
+#define CANDIDATES   16384u /* strokes seen once */
 #define LARGEST      16384u /* floats of one footprint */
 #define ARENA_FLOATS (CRT_REUSE_BYTES / sizeof(float))
 
 struct slot {
     struct crt_reuse_key key;
-    float *data; /* NULL: free */
+    float *data;
 };
 
 struct candidate {
-    uint64_t hash, epoch;
+    uint32_t hash, epoch; /* low halves */
 };
 
 struct crt_reuse {
     size_t filled; /* floats of the arena */
     unsigned stored;
-    uint64_t epoch; /* the running one */
-    size_t handed;  /* floats handed out in it */
-    bool refused;   /* something found no room in it */
+    uint64_t epoch;       /* the running one */
+    size_t handed;        /* floats handed out in it */
+    bool refused;         /* something found no room in it */
+    uint32_t hash[SLOTS]; /* never 0 in a used slot; apart, since most strokes are not found */
     struct slot slot[SLOTS];
     struct candidate candidate[CANDIDATES];
     float arena[ARENA_FLOATS];
@@ -49,12 +50,13 @@ static uint64_t hash_of(const struct crt_reuse_key *key)
     return h;
 }
 
-static struct slot *find(struct crt_reuse *reuse, const struct crt_reuse_key *key, uint64_t hash)
+static size_t find(const struct crt_reuse *reuse, const struct crt_reuse_key *key, uint32_t hash)
 {
-    size_t i = hash % SLOTS;
-    while (reuse->slot[i].data && memcmp(&reuse->slot[i].key, key, sizeof *key) != 0)
+    size_t i = (hash >> 8) % SLOTS;
+    while (reuse->hash[i] &&
+           (reuse->hash[i] != hash || memcmp(&reuse->slot[i].key, key, sizeof *key) != 0))
         i = (i + 1) % SLOTS;
-    return &reuse->slot[i];
+    return i;
 }
 
 /* Footprints handed out in an epoch must stay until its end, so forgetting is left to the beginning
@@ -64,7 +66,7 @@ static void begin_epoch(struct crt_reuse *reuse, uint64_t epoch)
     if (epoch == reuse->epoch)
         return;
     if (reuse->refused && reuse->handed <= ARENA_FLOATS / 2) {
-        memset(reuse->slot, 0, sizeof reuse->slot);
+        memset(reuse->hash, 0, sizeof reuse->hash);
         reuse->filled = 0;
         reuse->stored = 0;
     }
@@ -85,28 +87,29 @@ enum crt_reuse_answer crt_reuse_find(struct crt_reuse *reuse, const struct crt_r
     if (floats > LARGEST)
         return CRT_REUSE_COMPUTE;
     begin_epoch(reuse, epoch);
-    uint64_t hash = hash_of(key);
-    struct slot *slot = find(reuse, key, hash);
-    if (slot->data) {
+    uint64_t long_hash = hash_of(key);
+    uint32_t hash = (uint32_t)long_hash | 1;
+    size_t i = find(reuse, key, hash);
+    if (reuse->hash[i]) {
         reuse->handed += floats;
-        *data = slot->data;
+        *data = reuse->slot[i].data;
         return CRT_REUSE_READY;
     }
-    struct candidate *seen = &reuse->candidate[(hash >> 40) % CANDIDATES];
-    bool again = seen->hash == hash && seen->epoch != epoch;
+    struct candidate *seen = &reuse->candidate[(long_hash >> 40) % CANDIDATES];
+    bool again = seen->hash == hash && seen->epoch != (uint32_t)epoch;
     if (seen->hash != hash)
-        *seen = (struct candidate){hash, epoch};
+        *seen = (struct candidate){hash, (uint32_t)epoch};
     if (!again)
         return CRT_REUSE_COMPUTE;
     if (!has_room(reuse, floats)) {
         reuse->refused = true;
         return CRT_REUSE_COMPUTE;
     }
-    slot = find(reuse, key, hash);
-    *slot = (struct slot){.key = *key, .data = reuse->arena + reuse->filled};
+    *data = reuse->arena + reuse->filled;
+    reuse->hash[i] = hash;
+    reuse->slot[i] = (struct slot){*key, *data};
     reuse->filled += floats;
     reuse->stored++;
     reuse->handed += floats;
-    *data = slot->data;
     return CRT_REUSE_STORE;
 }

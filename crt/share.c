@@ -19,6 +19,14 @@ void crt_share_add(struct crt_share *share, double amount, double tau_s)
     share->rate[share->terms++] = 1 / tau_s;
 }
 
+double crt_share_total(const struct crt_share *share)
+{
+    double total = 0;
+    for (int k = 0; k < share->terms; k++)
+        total += share->amount[k];
+    return total;
+}
+
 /* e^(−x) averaged over x ± z, less the value in the middle, divided by that value: sinh(z)/z − 1.
  */
 static double bulge(double z)
@@ -36,8 +44,11 @@ static double line_slope(double z)
 
 static void add_slow_term(struct crt_share_fit *fit, bool within, double amount, double x, double z)
 {
-    double left = amount * crt_exp(-x), slope = left * line_slope(z);
-    fit->mean += within ? -amount * crt_expm1(-x) - left * bulge(z) : left * (1 + bulge(z));
+    double fading = crt_exp(-x), left = amount * fading, slope = left * line_slope(z);
+    if (within) /* from the difference where that is good to 1e-12 */
+        fit->mean += amount * (x > 1e-3 ? 1 - fading : -crt_expm1(-x)) - left * bulge(z);
+    else
+        fit->mean += left * (1 + bulge(z));
     fit->slope += within ? -slope : slope;
     fit->off_constant += left * z;
     fit->off_line += left * z * z / 3;

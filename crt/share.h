@@ -28,6 +28,9 @@ struct crt_share {
 
 void crt_share_add(struct crt_share *share, double amount, double tau_s);
 
+/* The most that a share can be. */
+double crt_share_total(const struct crt_share *share);
+
 /* Of a stretch of strokes [t0, t1): the share's mean, its change from the middle to the end when
  * fitted by a straight line, and how far the ends are off a constant and off that line. */
 struct crt_share_fit {

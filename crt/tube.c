@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "crt/maths.h"
+#include "crt/plan.h"
 #include "crt/share.h"
 #include "crt/tube_parts.h"
 
@@ -120,7 +121,8 @@ void crt_tube_stroke(struct crt_tube *tube, const struct crt_stroke *stroke)
     }
     if (!(tube->spot.power > 0))
         return;
-    struct crt_entry entry = {*stroke, tube->spot.power, tube->spot.sigma_mm};
+    struct crt_entry entry = {*stroke, tube->spot.power, tube->spot.sigma_mm, 0};
+    entry.crest = crt_plan_crest(&entry);
     if (!crt_journal_push(&tube->journal, &entry))
         tube->lost++;
 }

@@ -122,8 +122,8 @@ static uint64_t film_of(const struct crt_phosphor *phosphor, const struct scene 
         }
         for (int i = 0; i < how.observers; i++) /* other films, some of them given up */
             if (other[i].complete || other[i].t1 == 0 || model_random(&seed) % 16 == 0)
-                crt_film_open(tube, &other[i], now + model_random(&seed) % 20000000000,
-                              now + 20000000000 + model_random(&seed) % 30000000000);
+                crt_film_open(tube, &other[i], now + model_random(&seed) % 20000000000u,
+                              now + 20000000000 + model_random(&seed) % 30000000000u);
         while (next < scene->count && scene->stroke[next].t0 < to)
             crt_tube_stroke(tube, &scene->stroke[next++]);
         crt_tube_advance(tube, to);
