@@ -20,6 +20,16 @@ int crt_shape_start(const struct crt_shape *shape, int at)
     return (int)((edge + INT64_C(0xffffffff)) >> 32);
 }
 
+/* Chunks of a row `reach` cells to both sides of its centre, of which `last` is the last to start
+ * at. */
+static void row_width(struct crt_shape *s, double reach, int cols)
+{
+    double width = floor(2 * reach) + 1;
+    s->count = (int)fmin(ceil(width / 8), cols / 8);
+    s->last = cols - 8 * s->count;
+    s->narrow = width <= 8 * s->count - 4;
+}
+
 static bool dot_init(struct crt_shape *s, const struct crt_stretch *t, double length, double ux,
                      double uy, int cols, int rows)
 {
@@ -35,8 +45,7 @@ static bool dot_init(struct crt_shape *s, const struct crt_stretch *t, double le
     s->edge = (int64_t)floor((x - reach) * FIXED);
     s->step = 0;
     s->half = (float)reach;
-    s->count = (int)fmin((floor(2 * reach) + 8) / 8, cols / 8);
-    s->last = cols - 8 * s->count;
+    row_width(s, reach, cols);
     s->along_col = ux / along;
     s->along_row = uy / along;
     s->along_0 = -(x * ux + y * uy) / along;
@@ -80,8 +89,7 @@ static bool line_init(struct crt_shape *s, const struct crt_stretch *t, double l
     if (steep) {
         double slope = ux / uy, half = cut / fabs(uy);
         line_ends(s, t->y0, t->y1, reach, 1, rows);
-        s->count = (int)fmin((floor(2 * half) + 8) / 8, cols / 8);
-        s->last = cols - 8 * s->count;
+        row_width(s, half, cols);
         s->edge = (int64_t)floor((t->x0 + (s->a0 - t->y0) * slope - half) * FIXED);
         s->step = (int64_t)floor(slope * FIXED + 0.5);
         s->half = (float)half;

@@ -40,6 +40,7 @@ enum crt_walk { CRT_WALK_DOT, CRT_WALK_ROWS, CRT_WALK_COLUMNS };
 struct crt_shape {
     enum crt_walk walk;
     bool whole;     /* the caps overlap: every cell needs both steps */
+    bool narrow;    /* rows: the upper half of the last chunk is not needed */
     bool turned;    /* walked from the end to the start: the first moment changes sign */
     int r0, r1;     /* rows it may light, clipped to the grid */
     int a0, a1;     /* rows or groups walked */
@@ -86,7 +87,14 @@ struct crt_kernels {
     const char *name;
     /* Computes F0, and F1 unless it is NULL. */
     void (*evaluate)(const struct crt_shape *shape, struct crt_part part, float *f0, float *f1);
-    /* Adds it to cells whose rows are `stride` apart. f1 is used where w1 is not 0. */
+    /* Adds F0 at once to cells whose rows are `stride` apart: one target of constant weight, or
+     * two. */
+    void (*draw)(const struct crt_shape *shape, struct crt_part part, struct crt_target target,
+                 int stride);
+    void (*draw_pair)(const struct crt_shape *shape, struct crt_part part, struct crt_target one,
+                      struct crt_target two, int stride);
+    /* Adds what was computed before to cells whose rows are `stride` apart. f1 is used where w1 is
+     * not 0. */
     void (*deposit)(const struct crt_shape *shape, struct crt_part part, const float *f0,
                     const float *f1, struct crt_target target, int stride);
     /* The same for two targets of constant weight at once. */

@@ -13,7 +13,7 @@
 #define BATCH 2048
 
 /* What a band's planes and films may take of the second-level cache, bytes. */
-#define BAND_BYTES (256 * 1024)
+#define BAND_BYTES (512 * 1024)
 
 /* A piece of footprint with its weights, ready for the bands. */
 struct piece {
@@ -233,6 +233,28 @@ static void work_kept(const struct crt_pass *pass, const struct piece *piece,
     deposit(pass, piece, weights, part, piece->kept, f1);
 }
 
+/* Straight to one or two receivers of constant weight; false when there are others. */
+static bool work_drawn(const struct crt_pass *pass, const struct piece *piece,
+                       const struct crt_weight *weights, int lo, int hi)
+{
+    const struct crt_kernels *kernels = pass->tube->kernels;
+    struct crt_part part = {lo, hi, false};
+    struct crt_target target[2];
+    int count = 0;
+    for (int i = 0; i < pass->receivers; i++) {
+        if (weights[i].w0 == 0)
+            continue;
+        if (count == 2)
+            return false;
+        target[count++] = (struct crt_target){pass->receiver[i].cells, weights[i].w0, 0};
+    }
+    if (count == 2)
+        kernels->draw_pair(&piece->shape, part, target[0], target[1], pass->cols);
+    else if (count == 1)
+        kernels->draw(&piece->shape, part, target[0], pass->cols);
+    return true;
+}
+
 static void work_computed(const struct crt_pass *pass, const struct piece *piece,
                           const struct crt_weight *weights, int lo, int hi, int worker)
 {
@@ -267,7 +289,7 @@ static void work_piece(const struct crt_pass *pass, int index, int lo, int hi, i
         touch_rows(pass->tube, shape, lo, hi, pass->tube->planes.epoch + 1);
     if (piece->kept)
         work_kept(pass, piece, weights, lo, hi);
-    else
+    else if (piece->moment || !work_drawn(pass, piece, weights, lo, hi))
         work_computed(pass, piece, weights, lo, hi, worker);
 }
 

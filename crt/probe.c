@@ -104,7 +104,7 @@ static void look_at_entry(const struct looking *at, const struct crt_entry *entr
 
 enum { TAPS = 12 };
 
-/* Windowed sinc through TAPS cells around `at`: exact on a cell's centre, elsewhere within 0.3 % of
+/* Windowed sinc through TAPS cells around `at`: exact on a cell's centre, elsewhere within 0.8 % of
  * the crest for a spot of one cell's sigma, which is all but band-limited. */
 static int taps(double at, double weight[TAPS])
 {
