@@ -51,11 +51,10 @@ static unsigned compile(const struct crt_gl *gl, unsigned type, const char *pref
     return 0;
 }
 
-unsigned crt_gl_program(const struct crt_gl *gl, const char *prefix, const char *vertex,
+unsigned crt_gl_program(const struct crt_gl *gl, const char *prefix, const char *const *vertex,
                         const char *const *fragment, struct crt_error *err)
 {
-    const char *const vertex_pieces[] = {vertex, NULL};
-    unsigned v = compile(gl, GL_VERTEX_SHADER, prefix, vertex_pieces, err);
+    unsigned v = compile(gl, GL_VERTEX_SHADER, prefix, vertex, err);
     if (!v)
         return 0;
     unsigned f = compile(gl, GL_FRAGMENT_SHADER, prefix, fragment, err);

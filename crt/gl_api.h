@@ -116,7 +116,7 @@ enum {
     X(void, Uniform2i, (int location, int x, int y))                                               \
     X(void, Uniform2f, (int location, float x, float y))                                           \
     X(void, Uniform3f, (int location, float x, float y, float z))                                  \
-    X(void, Uniform4f, (int location, float x, float y, float z, float w))                         \
+    X(void, Uniform4i, (int location, int x, int y, int z, int w))                                 \
     X(void, GenBuffers, (int n, unsigned *names))                                                  \
     X(void, DeleteBuffers, (int n, const unsigned *names))                                         \
     X(void, BindBuffer, (unsigned target, unsigned name))                                          \
@@ -146,7 +146,7 @@ bool crt_gl_load(struct crt_gl *gl, crt_gl_loader loader, struct crt_error *err)
 /* Compiles `prefix` (the #version line and #defines) followed by the vertex source, or by the
  * pieces of the fragment source (NULL ends them); 0 and a sentence that carries the driver's first
  * lines when it fails. */
-unsigned crt_gl_program(const struct crt_gl *gl, const char *prefix, const char *vertex,
+unsigned crt_gl_program(const struct crt_gl *gl, const char *prefix, const char *const *vertex,
                         const char *const *fragment, struct crt_error *err);
 
 #endif

@@ -64,3 +64,27 @@ const char *crt_gl_context_name(const struct crt_gl_context *context)
 {
     return context->backend.name;
 }
+
+/* Sanitizers call these by name. Mesa keeps a record of some hundred bytes for every context that
+ * was ever current, and llvmpipe's threads synchronise by means that ThreadSanitizer cannot see in
+ * a library built without it. Ordinary builds never call them. */
+const char *__lsan_default_suppressions(void);
+const char *__tsan_default_suppressions(void);
+const char *__tsan_default_options(void);
+
+const char *__lsan_default_suppressions(void)
+{
+    return "leak:libOSMesa.so\nleak:libGLX_mesa.so\nleak:libEGL_mesa.so\nleak:swrast_dri.so\n";
+}
+
+const char *__tsan_default_suppressions(void)
+{
+    return "race:libOSMesa.so\nrace:swrast_dri.so\nrace:libgallium\n"
+           "called_from_lib:libOSMesa.so\ncalled_from_lib:swrast_dri.so\n";
+}
+
+/* LLVM takes and gives back more locks in compiling shaders than the detector can count. */
+const char *__tsan_default_options(void)
+{
+    return "detect_deadlocks=0";
+}

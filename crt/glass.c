@@ -13,21 +13,23 @@
 static void make_prefix(char *prefix, size_t size, struct crt_glass_variant v)
 {
     snprintf(prefix, size,
-             "#version 330 core\n#define SAMPLE_EXACT %d\n#define SAMPLE_CUBIC %d\n#define "
+             "#version 330 core\n#define SAMPLE_SMOOTH %d\n#define SAMPLE_EXACT %d\n#define "
+             "SAMPLE_CUBIC %d\n#define "
              "SAMPLE_AREA3 %d\n"
              "#define RADIUS_MAX %d\n#define TONE_SIZE %d\n#define TONE_MAX %.1f\n"
              "#define TONE_SCALE %.9g\n#define TONE_SHOULDER %.9f\n"
              "#define BEND_MAX %.2f\n#define COLOURS "
              "%d\n#define SAMPLE %d\n#define CURVED %d\n"
              "#define HALO %d\n#define ROOM %d\n",
-             CRT_SAMPLE_EXACT, CRT_SAMPLE_CUBIC, CRT_SAMPLE_AREA3, CRT_HALO_RADIUS_MAX,
-             CRT_TONE_SIZE, CRT_TONE_MAX,
+             CRT_SAMPLE_SMOOTH, CRT_SAMPLE_EXACT, CRT_SAMPLE_CUBIC, CRT_SAMPLE_AREA3,
+             CRT_HALO_RADIUS_MAX, CRT_TONE_SIZE, CRT_TONE_MAX,
              (CRT_TONE_SIZE - 1.0) * (CRT_TONE_SIZE - 1.0) / CRT_TONE_MAX, CRT_TONE_SHOULDER,
              CRT_BEND_MAX, v.colours, (int)v.sample, v.curved, v.halo, v.room);
 }
 
-static unsigned program(struct crt_glass *glass, struct crt_glass_variant v, const char *vertex,
-                        const char *const *fragment, struct crt_error *err)
+static unsigned program(struct crt_glass *glass, struct crt_glass_variant v,
+                        const char *const *vertex, const char *const *fragment,
+                        struct crt_error *err)
 {
     char prefix[512];
     make_prefix(prefix, sizeof prefix, v);
@@ -140,7 +142,8 @@ void crt_glass_destroy(struct crt_glass *glass)
     free(glass->block_most);
     free(glass->block_mean);
     free(glass->shrunk);
-    free(glass->corner);
+    for (int i = 0; i < CRT_SQUARE_KINDS; i++)
+        free(glass->squares[i].corner);
     free(glass);
 }
 

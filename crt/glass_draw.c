@@ -5,6 +5,28 @@
 #include "crt/glass_private.h"
 #include "crt/maths.h"
 
+static enum crt_glass_sample sample_of(const struct crt_glass_face *f)
+{
+    if (f->cells_per_pixel == 1 && f->bend <= 0)
+        return CRT_SAMPLE_EXACT;
+    /* The film holds almost nothing above 0.4 cycles a cell (σ ≥ 1 cell: 4 %), so four taps do up
+     * to 1.25 cells a pixel. */
+    return f->cells_per_pixel <= 1.25 ? CRT_SAMPLE_CUBIC
+           : f->cells_per_pixel <= 2  ? CRT_SAMPLE_AREA3
+                                      : CRT_SAMPLE_AREA;
+}
+
+/* The side of the face's squares. Halation is read at their corners: they are small against its
+ * sigma. */
+static int square_of(const struct crt_glass *glass, const struct crt_glass_settings *settings,
+                     const struct crt_glass_face *f)
+{
+    double sigma = CRT_HALO_SIGMA_MM / glass->grid.cell_mm / f->cells_per_pixel; /* pixels */
+    if (settings->halation <= 0)
+        return 16;
+    return (int)fmin(fmax(floor(sigma / 16) * 8, 8), 64);
+}
+
 static struct crt_glass_face make_face(const struct crt_glass *glass,
                                        const struct crt_glass_settings *settings, int width,
                                        int height)
@@ -20,6 +42,13 @@ static struct crt_glass_face make_face(const struct crt_glass *glass,
     f.middle_y = f.place.y + f.place.h / 2;
     double radius = settings->face_radius_mm;
     f.bend = radius > 0 ? g->cell_mm * g->cell_mm / (radius * radius) : 0;
+    f.edge_corner = radius > 0 ? 0.02 * g->cols : 0;
+    f.edge_soft =
+        radius > 0 ? fmax(1.5 * f.cells_per_pixel, 0.7 / g->cell_mm) : 0.5 * f.cells_per_pixel;
+    f.reach = sample_of(&f) == CRT_SAMPLE_CUBIC ? 2 : fmax(f.cells_per_pixel / 2, 1);
+    /* Half of the least 16-bit sample is 6e-7 of white. */
+    f.dark = 5e-7 / (glass->per_second * settings->gain);
+    f.square = square_of(glass, settings, &f);
     return f;
 }
 
@@ -132,17 +161,6 @@ static bool clip(const struct crt_glass_tile *tile, double x0, double y0, double
     return part[0] < part[2] && part[1] < part[3];
 }
 
-static enum crt_glass_sample sample_of(const struct crt_glass_face *f)
-{
-    if (f->cells_per_pixel == 1 && f->bend <= 0)
-        return CRT_SAMPLE_EXACT;
-    /* The film holds almost nothing above 0.4 cycles a cell (σ ≥ 1 cell: 4 %), so four taps do up
-     * to 1.25 cells a pixel. */
-    return f->cells_per_pixel <= 1.25 ? CRT_SAMPLE_CUBIC
-           : f->cells_per_pixel <= 2  ? CRT_SAMPLE_AREA3
-                                      : CRT_SAMPLE_AREA;
-}
-
 static void set_face(const struct crt_glass *glass, const struct crt_glass_settings *settings,
                      const struct crt_glass_face *f, const struct crt_glass_tile *tile,
                      unsigned face)
@@ -161,52 +179,50 @@ static void set_face(const struct crt_glass *glass, const struct crt_glass_setti
                glass->halo[0].height * glass->halo_factor);
     }
     set_2i(gl, face, "size", g->cols, g->rows);
-    set_2f(gl, face, "origin", tile->x, tile->y + tile->h);
+    gl->Uniform4i(gl->GetUniformLocation(face, "tile"), tile->x, tile->y, tile->w, tile->h);
     set_2f(gl, face, "middle", f->middle_x, f->middle_y);
     set_1f(gl, face, "cells_per_pixel", f->cells_per_pixel);
     set_1f(gl, face, "bend", f->bend);
-    set_2f(gl, face, "edge", 0.02 * g->cols, fmax(1.5 * f->cells_per_pixel, 0.7 / g->cell_mm));
+    set_2f(gl, face, "edge", f->edge_corner, f->edge_soft);
     set_1f(gl, face, "scale", glass->per_second * settings->gain);
     set_1f(gl, face, "room", settings->room_cd_m2 * settings->gain);
     set_rgb(gl, face, "unit0", glass->unit[0]);
     set_rgb(gl, face, "unit1", glass->unit[1]);
 }
 
-/* Most of a vector display is dark, and sampling is what costs most: squares that no light reaches
- * are drawn without it, or not at all when halation and room light are off. */
+/* Most of a vector display is dark, and sampling is what costs most: squares that no light of the
+ * film reaches are drawn without it, or not at all when halation and room light are off. */
 static void draw_face(struct crt_glass *glass, const struct crt_glass_settings *settings,
                       const struct crt_glass_face *f, const struct crt_glass_tile *tile)
 {
     const struct crt_gl *gl = &glass->gl;
-    const enum crt_glass_sample sample = sample_of(f);
     const struct crt_viewport *place = &f->place;
+    const enum crt_glass_sample sample[CRT_SQUARE_KINDS] = {
+        [CRT_SQUARE_LIT] = sample_of(f),
+        [CRT_SQUARE_RIM] = CRT_SAMPLE_NONE,
+        [CRT_SQUARE_DARK] = CRT_SAMPLE_SMOOTH,
+    };
     struct crt_glass_variant v = {.colours = glass->colours,
                                   .curved = f->bend > 0,
                                   .halo = settings->halation > 0,
                                   .room = settings->room_cd_m2 > 0};
     int part[4];
-    if (!clip(tile, place->x, place->y, place->x + place->w, place->y + place->h, part))
-        return;
-    double reach = sample == CRT_SAMPLE_CUBIC ? 2 : fmax(f->cells_per_pixel / 2, 1);
-    /* Half of the least 16-bit sample is 6e-7 of white. */
-    double dark = 5e-7 / (glass->per_second * settings->gain);
-    glass->corners = 0;
-    if (!crt_glass_add_squares(glass, f, tile, part, reach, dark, true))
-        return;
-    size_t lit = glass->corners;
-    if ((v.halo || v.room) && !crt_glass_add_squares(glass, f, tile, part, reach, dark, false))
+    if (!clip(tile, place->x, place->y, place->x + place->w, place->y + place->h, part) ||
+        !crt_glass_sort_squares(glass, f, tile, part))
         return;
     gl->BindBuffer(GL_ARRAY_BUFFER, glass->vertices);
-    gl->BufferData(GL_ARRAY_BUFFER, (ptrdiff_t)(glass->corners * 2 * sizeof *glass->corner),
-                   glass->corner, GL_STREAM_DRAW);
-    const size_t first[] = {0, lit, glass->corners};
-    for (int i = 0; i < 2; i++) {
-        v.sample = i == 0 ? sample : CRT_SAMPLE_NONE;
-        unsigned face = first[i] < first[i + 1] ? crt_glass_face_program(glass, v) : 0;
+    for (int i = 0; i < CRT_SQUARE_KINDS; i++) {
+        const struct crt_glass_squares *s = &glass->squares[i];
+        v.sample = sample[i];
+        if (s->corners == 0 || (i != CRT_SQUARE_LIT && !v.halo && !v.room))
+            continue;
+        unsigned face = crt_glass_face_program(glass, v);
         if (!face)
             continue;
+        gl->BufferData(GL_ARRAY_BUFFER, (ptrdiff_t)(s->corners * 2 * sizeof *s->corner), s->corner,
+                       GL_STREAM_DRAW);
         set_face(glass, settings, f, tile, face);
-        gl->DrawArrays(GL_TRIANGLES, (int)first[i], (int)(first[i + 1] - first[i]));
+        gl->DrawArrays(GL_TRIANGLES, 0, (int)s->corners);
     }
 }
 

@@ -27,6 +27,18 @@ struct crt_glass_variant {
 };
 #define CRT_GLASS_VARIANTS (2 * CRT_SAMPLES * 2 * 2 * 2)
 
+/* The picture's squares by what can shine in them. */
+enum crt_square_kind {
+    CRT_SQUARE_LIT,  /* film */
+    CRT_SQUARE_RIM,  /* no film, but the face's edge */
+    CRT_SQUARE_DARK, /* neither */
+    CRT_SQUARE_KINDS
+};
+struct crt_glass_squares {
+    float *corner; /* x, y: six corners of two triangles each */
+    size_t corners, room;
+};
+
 struct crt_glass {
     struct crt_gl gl;
     char driver[192];
@@ -49,8 +61,7 @@ struct crt_glass {
     int halo_factor; /* cells to a texel of the halo */
     bool halo_fresh; /* halo[0] belongs to this film */
 
-    float *corner; /* x, y of the face's vertices */
-    size_t corners, corner_room;
+    struct crt_glass_squares squares[CRT_SQUARE_KINDS];
 
     int text_left, text_top, text_right,
         text_bottom; /* the overlay's pixels that show; empty = none */
@@ -61,7 +72,12 @@ struct crt_glass_face {
     struct crt_viewport place; /* of the flat film in the window */
     double middle_x, middle_y; /* window pixel of the grid's centre */
     double cells_per_pixel;
-    double bend; /* (1 cell / face radius)² */
+    double bend;        /* (1 cell / face radius)² */
+    double edge_corner; /* radius of the face's rounded corners, cells; 0 when flat */
+    double edge_soft;   /* width of its soft edge, cells */
+    double reach;       /* cells to either side that a sample reads */
+    double dark;        /* film below this shows as black */
+    int square;         /* side of a square, pixels */
 };
 
 /* Arc over chord: how much farther along the glass than as seen, for the square of (distance as
@@ -81,12 +97,10 @@ struct crt_glass_tile {
 void crt_glass_draw_tile(struct crt_glass *glass, const struct crt_glass_settings *settings,
                          unsigned fbo, const struct crt_glass_tile *tile);
 
-/* Appends to glass->corner the triangles of those squares of a rectangle (framebuffer pixels from
- * the top left of `tile`) whose samples, reaching `reach` cells, meet film brighter than `dark`,
- * or, with lit = false, of the others. */
-bool crt_glass_add_squares(struct crt_glass *glass, const struct crt_glass_face *f,
-                           const struct crt_glass_tile *tile, const int rectangle[4], double reach,
-                           double dark, bool lit);
+/* Sorts the squares of a rectangle (left, top, right, bottom in the tile's pixels) into
+ * glass->squares. */
+bool crt_glass_sort_squares(struct crt_glass *glass, const struct crt_glass_face *f,
+                            const struct crt_glass_tile *tile, const int rectangle[4]);
 
 /* The film shrunk to its blocks: block_most and block_mean. False when out of memory. */
 bool crt_glass_find_blocks(struct crt_glass *glass, const struct crt_film *film);

@@ -3,18 +3,13 @@
 #include <stddef.h>
 
 /* One triangle that covers the framebuffer, without any buffer. */
-const char crt_glass_vertex[] = "void main()\n"
-                                "{\n"
-                                "    vec2 p = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);\n"
-                                "    gl_Position = vec4(p * 2.0 - 1.0, 0.0, 1.0);\n"
-                                "}\n";
-
-/* Pieces of the face, in normalised device coordinates. */
-const char crt_glass_place_vertex[] = "layout(location = 0) in vec2 place;\n"
-                                      "void main()\n"
-                                      "{\n"
-                                      "    gl_Position = vec4(place, 0.0, 1.0);\n"
-                                      "}\n";
+const char *const crt_glass_vertex[] = {
+    "void main()\n"
+    "{\n"
+    "    vec2 p = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);\n"
+    "    gl_Position = vec4(p * 2.0 - 1.0, 0.0, 1.0);\n"
+    "}\n",
+    NULL};
 
 /* The film as one float or two, so that a tube of one colour pays for one. */
 #define LIGHT                                                                                      \
@@ -35,6 +30,25 @@ const char crt_glass_place_vertex[] = "layout(location = 0) in vec2 place;\n"
     "    return texelFetch(film0, t, 0).r;\n"                                                      \
     "}\n"                                                                                          \
     "#endif\n"
+
+/* From window pixels to film cells, counted from the centre. */
+#define WARP                                                                                       \
+    "uniform ivec2 size;             /* of the film, cells */\n"                                   \
+    "uniform vec2 middle;            /* window pixel of the screen's centre */\n"                  \
+    "uniform float cells_per_pixel;\n"                                                             \
+    "uniform float bend;             /* (1 cell / face radius) squared */\n"                       \
+    "vec2 seen_at(vec2 p)\n"                                                                       \
+    "{\n"                                                                                          \
+    "    return (p - middle) * cells_per_pixel;\n"                                                 \
+    "}\n"                                                                                          \
+    "vec2 stretched(vec2 c)\n"                                                                     \
+    "{\n"                                                                                          \
+    "#if CURVED\n"                                                                                 \
+    "    float u = min(dot(c, c) * bend, BEND_MAX);\n"                                             \
+    "    c *= 1.0 + u * (1.0 / 6.0 + u * (3.0 / 40.0 + u * (15.0 / 336.0)));\n"                    \
+    "#endif\n"                                                                                     \
+    "    return c;\n"                                                                              \
+    "}\n"
 
 /* One direction of a separable blur; beyond the edge is dark. */
 const char *const crt_glass_blur[] = {
@@ -120,6 +134,11 @@ const char *const crt_glass_blur[] = {
 
 /* Light, then what the eye is shown: tone (crt_tone_at), gamut (crt_fit_srgb), sRGB. */
 #define DISPLAY                                                                                    \
+    "uniform sampler2D curve;\n"                                                                   \
+    "uniform float halation;\n"                                                                    \
+    "uniform float scale;            /* film to relative luminance */\n"                           \
+    "uniform float room;             /* relative luminance */\n"                                   \
+    "uniform vec3 unit0, unit1;      /* linear sRGB of luminance 1 in each colour */\n"            \
     "float tone(float v)\n"                                                                        \
     "{\n"                                                                                          \
     "    float t = min(v, TONE_MAX) * TONE_SCALE;\n"                                               \
@@ -145,22 +164,72 @@ const char *const crt_glass_blur[] = {
     "    c = clamp(c, 0.0, 1.0);\n"                                                                \
     "    vec3 high = 1.055 * pow(max(c, 0.0031308), vec3(1.0 / 2.4)) - 0.055;\n"                   \
     "    return mix(high, 12.92 * c, lessThanEqual(c, vec3(0.0031308)));\n"                        \
+    "}\n"                                                                                          \
+    "vec3 show(light l, float glow, float shade)\n"                                                \
+    "{\n"                                                                                          \
+    "#if COLOURS == 2\n"                                                                           \
+    "    float y = (l.x + l.y) * scale + glow;\n"                                                  \
+    "    vec3 rgb = (l.x * unit0 + l.y * unit1) * scale + glow;\n"                                 \
+    "#else\n"                                                                                      \
+    "    float y = l * scale + glow;\n"                                                            \
+    "    vec3 rgb = l * scale * unit0 + glow;\n"                                                   \
+    "#endif\n"                                                                                     \
+    "    return encode(fit(tone(y * shade), rgb / max(y, 1e-30)));\n"                              \
+    "}\n"                                                                                          \
+    "/* How much room light the face sends back. */\n"                                             \
+    "float glint(vec2 c)\n"                                                                        \
+    "{\n"                                                                                          \
+    "#if ROOM && CURVED\n"                                                                         \
+    "    /* A lamp up on the left, mirrored weakly and widely. */\n"                               \
+    "    vec2 lamp = c / (0.5 * float(size.y)) - vec2(-0.45, -0.55);\n"                            \
+    "    float n = max(1.0 - 1.6 * dot(lamp, lamp), 0.0);\n"                                       \
+    "    return room * (1.0 + 0.5 * n * n);\n"                                                     \
+    "#else\n"                                                                                      \
+    "    return room;\n"                                                                           \
+    "#endif\n"                                                                                     \
     "}\n"
+
+/* Corners of the face's squares, pixels from the tile's top left. Scattered light varies so slowly
+ * that it is read here; where there is only that and room light, the colour is found here too. */
+const char *const crt_glass_place_vertex[] = {
+    LIGHT, WARP, DISPLAY,
+    "layout(location = 0) in vec2 place;\n"
+    "uniform ivec4 tile; /* x, y in the window; width, height */\n"
+    "uniform sampler2D halo;\n"
+    "uniform vec2 halo_cells; /* cells that the halo texture spans */\n"
+    "#if SAMPLE == SAMPLE_SMOOTH\n"
+    "out vec3 colour;\n"
+    "#else\n"
+    "out light scattered;\n"
+    "#endif\n"
+    "void main()\n"
+    "{\n"
+    "    vec2 at = 2.0 * place / vec2(tile.zw) - 1.0;\n"
+    "    gl_Position = vec4(at.x, -at.y, 0.0, 1.0);\n"
+    "    vec2 c = seen_at(vec2(tile.xy) + place);\n"
+    "    light l = light(0.0);\n"
+    "#if HALO\n"
+    "    vec2 t = stretched(c) + 0.5 * vec2(size);\n"
+    "    l = READ(textureLod(halo, t / halo_cells, 0.0));\n"
+    "#endif\n"
+    "#if SAMPLE == SAMPLE_SMOOTH\n"
+    "    colour = show(l * halation, glint(c), 1.0);\n"
+    "#else\n"
+    "    scattered = l;\n"
+    "#endif\n"
+    "}\n",
+    NULL};
 
 const char *const crt_glass_face[] = {
     LIGHT,
-    "uniform sampler2D halo, curve;\n"
-    "uniform ivec2 size;             /* of the film, cells */\n"
-    "uniform vec2 origin;            /* window pixel of this framebuffer's bottom left corner */\n"
-    "uniform vec2 middle;            /* window pixel of the screen's centre */\n"
-    "uniform float cells_per_pixel;\n"
-    "uniform float bend;             /* (1 cell / face radius) squared */\n"
+    WARP,
+    "uniform ivec4 tile;             /* x, y in the window; width, height */\n"
     "uniform vec2 edge;              /* corner radius and width of the soft edge, cells */\n"
-    "uniform float halation;\n"
-    "uniform vec2 halo_cells;        /* cells the halo texture spans */\n"
-    "uniform float scale;            /* film to relative luminance */\n"
-    "uniform float room;             /* relative luminance */\n"
-    "uniform vec3 unit0, unit1;      /* linear sRGB of luminance 1 in each colour */\n"
+    "#if SAMPLE == SAMPLE_SMOOTH\n"
+    "in vec3 colour;\n"
+    "#else\n"
+    "in light scattered;\n"
+    "#endif\n"
     "out vec4 picture;\n"
     "#if SAMPLE == SAMPLE_CUBIC\n",
     CUBIC,
@@ -178,37 +247,16 @@ const char *const crt_glass_face[] = {
     "}\n"
     "#endif\n",
     DISPLAY,
-    "vec3 show(light l, float glow, float shade)\n"
-    "{\n"
-    "#if COLOURS == 2\n"
-    "    float y = (l.x + l.y) * scale + glow;\n"
-    "    vec3 rgb = (l.x * unit0 + l.y * unit1) * scale + glow;\n"
-    "#else\n"
-    "    float y = l * scale + glow;\n"
-    "    vec3 rgb = l * scale * unit0 + glow;\n"
-    "#endif\n"
-    "    return encode(fit(tone(y * shade), rgb / max(y, 1e-30)));\n"
-    "}\n"
-    "/* How much room light the face sends back. */\n"
-    "float glint(vec2 c)\n"
-    "{\n"
-    "#if ROOM && CURVED\n"
-    "    /* A lamp up on the left, mirrored weakly and widely. */\n"
-    "    vec2 lamp = c / (0.5 * float(size.y)) - vec2(-0.45, -0.55);\n"
-    "    float n = max(1.0 - 1.6 * dot(lamp, lamp), 0.0);\n"
-    "    return room * (1.0 + 0.5 * n * n);\n"
-    "#else\n"
-    "    return room;\n"
-    "#endif\n"
-    "}\n"
     "void main()\n"
     "{\n"
-    "    vec2 p = vec2(origin.x + gl_FragCoord.x, origin.y - gl_FragCoord.y);\n"
-    "    vec2 c = (p - middle) * cells_per_pixel;\n"
+    "#if SAMPLE == SAMPLE_SMOOTH\n"
+    "    picture = vec4(colour, 1.0);\n"
+    "#else\n"
+    "    vec2 here = vec2(gl_FragCoord.x, float(tile.w) - gl_FragCoord.y);\n"
+    "    vec2 c = seen_at(vec2(tile.xy) + here);\n"
     "    float glow = glint(c);\n"
+    "    c = stretched(c);\n"
     "#if CURVED\n"
-    "    float u = min(dot(c, c) * bend, BEND_MAX);\n"
-    "    c *= 1.0 + u * (1.0 / 6.0 + u * (3.0 / 40.0 + u * (15.0 / 336.0)));\n"
     "    vec2 past = abs(c) - 0.5 * vec2(size) + edge.x;\n"
     "    float inside = edge.x - length(max(past, 0.0)) - min(max(past.x, past.y), 0.0);\n"
     "    float shade = smoothstep(0.0, edge.y, inside);\n"
@@ -219,9 +267,10 @@ const char *const crt_glass_face[] = {
     "    vec2 t = c + 0.5 * vec2(size);\n"
     "    light l = sample_film(t);\n"
     "#if HALO\n"
-    "    l = mix(l, READ(texture(halo, t / halo_cells)), halation);\n"
+    "    l = mix(l, scattered, halation);\n"
     "#endif\n"
     "    picture = vec4(show(l, glow, shade), 1.0);\n"
+    "#endif\n"
     "}\n",
     NULL};
 

@@ -1,10 +1,9 @@
 /* Which squares of the picture can show light: the face is drawn square by square. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "crt/glass_private.h"
-
-#define SQUARE 32 /* pixels */
 
 double crt_glass_stretch(double u)
 {
@@ -41,10 +40,37 @@ static void blocks_under(struct span s, double reach, int cells, int *first, int
     *last = (int)(fmin(fmax(ceil(high), 0), cells - 1)) / CRT_GLASS_BLOCK;
 }
 
-/* Whether a sample taken anywhere in the rectangle (x0, y0)…(x1, y1), window pixels, can meet film
- * brighter than `dark`. */
-static bool is_lit(const struct crt_glass *glass, const struct crt_glass_face *f, double x0,
-                   double y0, double x1, double y1, double reach, double dark)
+/* Whether film brighter than f->dark lies under the blocks of a rectangle of cells. */
+static bool film_shines(const struct crt_glass *glass, const struct crt_glass_face *f,
+                        struct span x, struct span y)
+{
+    int left, right, top, bottom;
+    blocks_under(x, f->reach, glass->grid.cols, &left, &right);
+    blocks_under(y, f->reach, glass->grid.rows, &top, &bottom);
+    size_t across = (size_t)(glass->grid.cols + CRT_GLASS_BLOCK - 1) / CRT_GLASS_BLOCK;
+    for (int row = top; row <= bottom; row++)
+        for (int col = left; col <= right; col++)
+            if ((double)glass->block_most[(size_t)row * across + (size_t)col] > f->dark)
+                return true;
+    return false;
+}
+
+/* Whether the face's edge dims anything in a rectangle of cells: its outermost corner decides. The
+ * shader has the same outline. */
+static bool meets_edge(const struct crt_glass *glass, const struct crt_glass_face *f, struct span x,
+                       struct span y)
+{
+    double past_x = farthest(x) - 0.5 * glass->grid.cols + f->edge_corner;
+    double past_y = farthest(y) - 0.5 * glass->grid.rows + f->edge_corner;
+    double out_x = fmax(past_x, 0), out_y = fmax(past_y, 0);
+    double inside =
+        f->edge_corner - sqrt(out_x * out_x + out_y * out_y) - fmin(fmax(past_x, past_y), 0);
+    return inside < f->edge_soft;
+}
+
+/* What can shine in the rectangle (x0, y0)…(x1, y1), window pixels. */
+static enum crt_square_kind kind_of(const struct crt_glass *glass, const struct crt_glass_face *f,
+                                    double x0, double y0, double x1, double y1)
 {
     double k = f->cells_per_pixel;
     struct span x = {(x0 - f->middle_x) * k, (x1 - f->middle_x) * k};
@@ -56,56 +82,41 @@ static bool is_lit(const struct crt_glass *glass, const struct crt_glass_face *f
         x = stretched(x, least, most);
         y = stretched(y, least, most);
     }
-    int left, right, top, bottom;
-    blocks_under(x, reach, glass->grid.cols, &left, &right);
-    blocks_under(y, reach, glass->grid.rows, &top, &bottom);
-    size_t across = (size_t)(glass->grid.cols + CRT_GLASS_BLOCK - 1) / CRT_GLASS_BLOCK;
-    for (int row = top; row <= bottom; row++)
-        for (int col = left; col <= right; col++)
-            if ((double)glass->block_most[(size_t)row * across + (size_t)col] > dark)
-                return true;
-    return false;
+    if (film_shines(glass, f, x, y))
+        return CRT_SQUARE_LIT;
+    return meets_edge(glass, f, x, y) ? CRT_SQUARE_RIM : CRT_SQUARE_DARK;
 }
 
-static bool add_rectangle(struct crt_glass *glass, const struct crt_glass_tile *tile, int left,
-                          int top, int right, int bottom)
+static bool add_square(struct crt_glass_squares *s, int left, int top, int right, int bottom)
 {
-    if (glass->corners + 6 > glass->corner_room) {
-        size_t room = glass->corner_room ? 2 * glass->corner_room : 1536;
-        float *larger = realloc(glass->corner, room * 2 * sizeof *larger);
+    if (s->corners + 6 > s->room) {
+        size_t room = s->room ? 2 * s->room : 1536;
+        float *larger = realloc(s->corner, room * 2 * sizeof *larger);
         if (!larger)
-            return crt_fail(&glass->trouble, "out of memory for the picture's outline");
-        glass->corner = larger;
-        glass->corner_room = room;
+            return false;
+        s->corner = larger;
+        s->room = room;
     }
-    float x0 = (float)(2.0 * left / tile->w - 1), x1 = (float)(2.0 * right / tile->w - 1);
-    float y0 = (float)(1 - 2.0 * top / tile->h), y1 = (float)(1 - 2.0 * bottom / tile->h);
+    float x0 = (float)left, x1 = (float)right, y0 = (float)top, y1 = (float)bottom;
     const float corners[12] = {x0, y0, x1, y0, x0, y1, x1, y0, x1, y1, x0, y1};
-    for (int i = 0; i < 12; i++)
-        glass->corner[2 * glass->corners + (size_t)i] = corners[i];
-    glass->corners += 6;
+    memcpy(s->corner + 2 * s->corners, corners, sizeof corners);
+    s->corners += 6;
     return true;
 }
 
-bool crt_glass_add_squares(struct crt_glass *glass, const struct crt_glass_face *f,
-                           const struct crt_glass_tile *tile, const int rectangle[4], double reach,
-                           double dark, bool lit)
+bool crt_glass_sort_squares(struct crt_glass *glass, const struct crt_glass_face *f,
+                            const struct crt_glass_tile *tile, const int rectangle[4])
 {
-    for (int y = rectangle[1]; y < rectangle[3]; y += SQUARE) {
-        int bottom = y + SQUARE < rectangle[3] ? y + SQUARE : rectangle[3];
-        int start = -1; /* of a run of squares wanted, so far */
-        for (int x = rectangle[0]; x < rectangle[2]; x += SQUARE) {
-            int right = x + SQUARE < rectangle[2] ? x + SQUARE : rectangle[2];
-            bool wanted = is_lit(glass, f, tile->x + x, tile->y + y, tile->x + right,
-                                 tile->y + bottom, reach, dark) == lit;
-            if (wanted && start < 0)
-                start = x;
-            if (start >= 0 && (!wanted || right == rectangle[2])) {
-                if (!add_rectangle(glass, tile, start, y, wanted ? right : x, bottom))
-                    return false;
-                start = -1;
-            }
+    for (int i = 0; i < CRT_SQUARE_KINDS; i++)
+        glass->squares[i].corners = 0;
+    for (int y = rectangle[1]; y < rectangle[3]; y += f->square)
+        for (int x = rectangle[0]; x < rectangle[2]; x += f->square) {
+            int right = x + f->square < rectangle[2] ? x + f->square : rectangle[2];
+            int bottom = y + f->square < rectangle[3] ? y + f->square : rectangle[3];
+            enum crt_square_kind kind =
+                kind_of(glass, f, tile->x + x, tile->y + y, tile->x + right, tile->y + bottom);
+            if (!add_square(&glass->squares[kind], x, y, right, bottom))
+                return crt_fail(&glass->trouble, "out of memory for the picture's squares");
         }
-    }
     return true;
 }

@@ -156,7 +156,9 @@ bool df_assemble_text(const char *name, const char *text, size_t length,
     if (copy == NULL) {
         return fail(report, "Out of memory while assembling; close other programs.\n");
     }
-    memcpy(copy, text, length);
+    if (length > 0) {
+        memcpy(copy, text, length);
+    }
     return assemble(name, copy, length, options, program, report);
 }
 

@@ -9,7 +9,8 @@
  * Language:   display_file/LANGUAGE.md.
  * Ownership:  the program and the report belong to the caller (df_program_free, df_asm_report_free).
  * Errors:     returns false when there was any; the report then holds every one of them.
- * Limits:     include depth 16, repeat depth 8, one million words emitted, 1000 errors kept.
+ * Limits:     include depth 16, repeat depth 8, one million words emitted, 1000 errors kept;
+ *             12 MiB and a million lines a file, 4095 bytes a line, 255 files, two million lines executed.
  */
 #ifndef DF_ASM_H
 #define DF_ASM_H

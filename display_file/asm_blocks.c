@@ -292,6 +292,16 @@ static bool macro_arguments(struct df_asm *as, const struct df_macro *macro, str
     return true;
 }
 
+/* Of the calls that led here, the innermost few. */
+static size_t calls_shown(const struct df_asm *as)
+{
+    const char *end = as->calls.bytes;
+    for (int i = 0; i < 4 && *end != 0; i++) {
+        end = strchr(end, '\n') + 1;
+    }
+    return (size_t)(end - as->calls.bytes);
+}
+
 /* Runs lines of another place: what an error says about how it got there. */
 static void run_called(struct df_asm *as, const struct df_macro *macro, struct df_frame *frame)
 {
@@ -299,13 +309,12 @@ static void run_called(struct df_asm *as, const struct df_macro *macro, struct d
     bool dec = as->dec, failed = as->line_failed;
     struct df_frame *outer = as->frame;
     uint64_t chain = as->chain;
-    size_t calls = as->calls.length;
     /* The innermost call stands first. */
     struct df_text text = {0};
     df_text_add(&text, "    in macro %s called at %s:%u\n", macro->name, df_asm_name(as, file),
                 (unsigned)line);
-    if (calls > 0) {
-        df_text_bytes(&text, as->calls.bytes, calls);
+    if (as->calls.length > 0) {
+        df_text_bytes(&text, as->calls.bytes, calls_shown(as));
     }
     struct df_text outer_calls = as->calls;
     as->calls = text;

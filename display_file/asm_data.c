@@ -10,6 +10,7 @@
 static void wrong_mode(struct df_asm *as, const char *statement, const char *modes)
 {
     if (as->mode == DF_MODE_POISON) {
+        df_asm_arguments(as, "operands"); /* they may be faulty, too */
         as->layout_broken = true;
         return;
     }

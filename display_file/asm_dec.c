@@ -14,18 +14,18 @@ static const struct {
     const char *name;
     uint16_t value;
 } symbols[] = {
-    {"char", 0100000},   {"shortv", 0104000}, {"longv", 0110000},  {"point", 0114000},
-    {"graphx", 0120000}, {"graphy", 0124000}, {"relatv", 0130000}, {"int0", 02000},
-    {"int1", 02200},     {"int2", 02400},     {"int3", 02600},     {"int4", 03000},
-    {"int5", 03200},     {"int6", 03400},     {"int7", 03600},     {"lpoff", 0100},
-    {"lpon", 0140},      {"blkoff", 020},     {"blkon", 030},      {"line0", 04},
-    {"line1", 05},       {"line2", 06},       {"line3", 07},       {"djmp", 0160000},
-    {"dnop", 0164000},   {"dstop", 0172000},  {"statsa", 0170000}, {"sinof", 01000},
-    {"sinon", 01400},    {"lplite", 0200},    {"lpdark", 0300},    {"ital0", 040},
-    {"ital1", 060},      {"sync", 04},        {"statsb", 0174000}, {"incr", 0100},
-    {"intx", 040000},    {"maxx", 01777},     {"maxy", 01377},     {"minusx", 020000},
-    {"minusy", 020000},  {"maxsx", 017600},   {"maxsy", 077},      {"misvx", 020000},
-    {"misvy", 0100},
+    {"CHAR", 0100000},   {"SHORTV", 0104000}, {"LONGV", 0110000},  {"POINT", 0114000},
+    {"GRAPHX", 0120000}, {"GRAPHY", 0124000}, {"RELATV", 0130000}, {"INT0", 02000},
+    {"INT1", 02200},     {"INT2", 02400},     {"INT3", 02600},     {"INT4", 03000},
+    {"INT5", 03200},     {"INT6", 03400},     {"INT7", 03600},     {"LPOFF", 0100},
+    {"LPON", 0140},      {"BLKOFF", 020},     {"BLKON", 030},      {"LINE0", 04},
+    {"LINE1", 05},       {"LINE2", 06},       {"LINE3", 07},       {"DJMP", 0160000},
+    {"DNOP", 0164000},   {"DSTOP", 0172000},  {"STATSA", 0170000}, {"SINOF", 01000},
+    {"SINON", 01400},    {"LPLITE", 0200},    {"LPDARK", 0300},    {"ITAL0", 040},
+    {"ITAL1", 060},      {"SYNC", 04},        {"STATSB", 0174000}, {"INCR", 0100},
+    {"INTX", 040000},    {"MAXX", 01777},     {"MAXY", 01377},     {"MINUSX", 020000},
+    {"MINUSY", 020000},  {"MAXSX", 017600},   {"MAXSY", 077},      {"MISVX", 020000},
+    {"MISVY", 0100},
 };
 
 #define SYMBOLS (sizeof symbols / sizeof symbols[0])
@@ -204,7 +204,8 @@ static bool expression(struct df_asm *as, struct df_value *value)
             return false;
         }
         struct df_value result = {.kind = DF_VALUE_NUMBER,
-                                  .forward = value->forward || right.forward};
+                                  .forward = value->forward || right.forward,
+                                  .poison = value->poison || right.poison};
         if (value->kind != DF_VALUE_NUMBER || right.kind != DF_VALUE_NUMBER) {
             result.kind = DF_VALUE_UNKNOWN;
         } else if (!compute(as, &op, value->number, right.number, &result.number)) {
@@ -246,7 +247,8 @@ static void assign(struct df_asm *as, const struct df_token *name)
     bool dot = name->length == 1 && name->text[0] == '.';
     bool ok = df_asm_value(as, &argument) && df_asm_end_of_line(as);
     if (!ok) {
-        argument.value = (struct df_value){.kind = DF_VALUE_UNKNOWN, .forward = true};
+        argument.value =
+            (struct df_value){.kind = DF_VALUE_UNKNOWN, .forward = true, .poison = true};
     }
     if (!dot) {
         df_asm_define(as, name, DF_SYMBOL_VARIABLE, argument.value);

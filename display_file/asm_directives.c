@@ -19,7 +19,8 @@ static void assign(struct df_asm *as, const struct df_token *name, enum df_symbo
     struct df_argument argument;
     bool ok = take_equals(as) && df_asm_value(as, &argument) && df_asm_end_of_line(as);
     if (!ok) {
-        argument.value = (struct df_value){.kind = DF_VALUE_UNKNOWN, .forward = true};
+        argument.value =
+            (struct df_value){.kind = DF_VALUE_UNKNOWN, .forward = true, .poison = true};
     }
     struct df_local *local = df_asm_local(as, name->text, name->length);
     if (kind == DF_SYMBOL_VARIABLE && local != NULL) {
@@ -186,8 +187,8 @@ static void directive_pos(struct df_asm *as, unsigned what)
         return;
     }
     if (as->argument_count != 2) {
-        df_asm_error(as, as->arguments[0].column, "%u operands; expected x, y",
-                     (unsigned)as->argument_count);
+        df_asm_error(as, as->arguments[0].column, "%u operand%s; expected x, y",
+                     (unsigned)as->argument_count, as->argument_count == 1 ? "" : "s");
         return;
     }
     if (df_asm_layout_integer(as, &as->arguments[0], -2048, 2047, "x", &x) &&
@@ -215,6 +216,27 @@ static void directive_dialect(struct df_asm *as, unsigned what)
     }
 }
 
+/* Which tube the program was made for; whether there is such a row is for the machine to say. */
+static void directive_tube(struct df_asm *as, unsigned what)
+{
+    (void)what;
+    struct df_token name = as->lex.token;
+    if (name.kind != DF_TOKEN_NAME || name.text[0] == '.') {
+        df_asm_unexpected(as, "the name of a tube, such as VR17");
+        return;
+    }
+    if (name.length >= sizeof as->program->tube) {
+        df_asm_error(as, name.column, "the tube's name is too long; expected at most %d characters",
+                     (int)sizeof as->program->tube - 1);
+        return;
+    }
+    df_lex_next(&as->lex);
+    if (df_asm_end_of_line(as)) {
+        memcpy(as->program->tube, name.text, name.length);
+        as->program->tube[name.length] = '\0';
+    }
+}
+
 static const struct df_asm_statement directives[] = {
     {".equ", directive_assign, DF_SYMBOL_CONSTANT},
     {".set", directive_assign, DF_SYMBOL_VARIABLE},
@@ -226,6 +248,7 @@ static const struct df_asm_statement directives[] = {
     {".pos", directive_pos, 0},
     {".mode", directive_mode, 0},
     {".dialect", directive_dialect, 0},
+    {".tube", directive_tube, 0},
 };
 
 #define DIRECTIVES (sizeof directives / sizeof directives[0])

@@ -125,16 +125,16 @@ static int by_place(const void *a, const void *b)
 /* The source line, or the part of it around the column, and a caret below. */
 static void show_line(const struct df_source_line *line, uint32_t column, struct df_text *text)
 {
-    uint32_t at = column - 1 < line->length ? column - 1 : line->length;
+    uint32_t at = column - 1 < line->shown ? column - 1 : line->shown;
     uint32_t from = at > SHOWN - 16 ? at - (SHOWN - 16) : 0;
-    uint32_t to = line->length - from > SHOWN ? from + SHOWN : line->length;
+    uint32_t to = line->shown - from > SHOWN ? from + SHOWN : line->shown;
     df_text_add(text, "    %s", from > 0 ? "..." : "");
     for (uint32_t i = from; i < to; i++) {
         char c = line->text[i];
         bool plain = c == '\t' || ((unsigned char)c >= 32 && c != 127);
         df_text_bytes(text, plain ? &c : "?", 1);
     }
-    df_text_add(text, "%s\n    %s", to < line->length ? "..." : "", from > 0 ? "   " : "");
+    df_text_add(text, "%s\n    %s", to < line->shown ? "..." : "", from > 0 ? "   " : "");
     for (uint32_t i = from; i < at; i++) {
         /* Bytes 200–277 (octal) continue a UTF-8 character and take no column of their own. */
         if (((unsigned char)line->text[i] & 0xc0) != 0x80) {

@@ -14,15 +14,6 @@ static struct df_value number(double value)
     return (struct df_value){.kind = DF_VALUE_NUMBER, .number = value};
 }
 
-double df_asm_round(double value)
-{
-    double size = fabs(value), whole = floor(size);
-    if (size - whole >= 0.5) {
-        whole += 1;
-    }
-    return value < 0 ? -whole : whole;
-}
-
 static bool binary_expression(struct df_asm *as, int lowest, struct df_value *value);
 
 static bool enter(struct df_asm *as, uint32_t column)
@@ -101,6 +92,7 @@ static double apply(enum function f, double a)
 static void mix(struct df_value *result, const struct df_value *a, const struct df_value *b)
 {
     result->forward = a->forward || b->forward;
+    result->poison = a->poison || b->poison;
     if (a->kind == DF_VALUE_UNKNOWN || b->kind == DF_VALUE_UNKNOWN) {
         result->kind = DF_VALUE_UNKNOWN;
     }
@@ -253,12 +245,12 @@ static bool unary_operator(struct df_asm *as, struct df_value *value)
 static bool unary(struct df_asm *as, struct df_value *value)
 {
     const struct df_token *token = &as->lex.token;
-    bool operator= token->kind ==
-        DF_TOKEN_OPERATOR &&(token->op == '-' || token->op == '+' || token->op == '~');
+    bool sign = token->kind == DF_TOKEN_OPERATOR &&
+                (token->op == '-' || token->op == '+' || token->op == '~');
     if (!enter(as, token->column)) {
         return false;
     }
-    bool ok = operator? unary_operator(as, value) : primary(as, value);
+    bool ok = sign ? unary_operator(as, value) : primary(as, value);
     as->nesting--;
     return ok;
 }
@@ -391,10 +383,7 @@ static bool binary_expression(struct df_asm *as, int lowest, struct df_value *va
     for (;;) {
         struct df_token op = as->lex.token;
         int level = precedence(&op);
-        if (level < lowest) {
-            return true;
-        }
-        if (level == 0) {
+        if (level < lowest) { /* 0: no operator */
             return true;
         }
         df_lex_next(&as->lex);
@@ -414,90 +403,7 @@ static bool binary_expression(struct df_asm *as, int lowest, struct df_value *va
     }
 }
 
-/* ---- for statements ---- */
-
-bool df_asm_value(struct df_asm *as, struct df_argument *argument)
+bool df_asm_native_value(struct df_asm *as, struct df_value *value)
 {
-    argument->column = as->lex.token.column;
-    as->nesting = 0;
-    return as->dec ? df_asm_dec_value(as, argument) : binary_expression(as, 1, &argument->value);
-}
-
-bool df_asm_end_of_line(struct df_asm *as)
-{
-    if (as->lex.token.kind == DF_TOKEN_END) {
-        return true;
-    }
-    df_asm_unexpected(as, "the end of the statement");
-    return false;
-}
-
-bool df_asm_arguments(struct df_asm *as, const char *expected)
-{
-    as->argument_count = 0;
-    if (as->lex.token.kind == DF_TOKEN_END) {
-        df_asm_unexpected(as, expected);
-        return false;
-    }
-    for (;;) {
-        if (as->argument_count == DF_ASM_ARGUMENTS) {
-            df_asm_error(as, as->lex.token.column, "too many operands; expected at most %d",
-                         DF_ASM_ARGUMENTS);
-            return false;
-        }
-        if (!df_asm_value(as, &as->arguments[as->argument_count])) {
-            return false;
-        }
-        as->argument_count++;
-        if (as->lex.token.kind == DF_TOKEN_END) {
-            return true;
-        }
-        if (!df_token_is_op(&as->lex.token, ',')) {
-            df_asm_unexpected(as, "an operator, ',' or the end of the statement");
-            return false;
-        }
-        df_lex_next(&as->lex);
-    }
-}
-
-bool df_asm_integer(struct df_asm *as, const struct df_argument *argument, int32_t lo, int32_t hi,
-                    const char *what, int32_t *out)
-{
-    *out = 0;
-    const struct df_value *value = &argument->value;
-    if (value->kind == DF_VALUE_UNKNOWN) {
-        return true;
-    }
-    if (value->kind == DF_VALUE_STRING) {
-        df_asm_error(as, argument->column, "a string where %s belongs; expected a number", what);
-        return false;
-    }
-    double rounded = df_asm_round(value->number);
-    if (!(rounded >= lo && rounded <= hi)) {
-        df_asm_error(as, argument->column, "%s is %.15g; expected %d to %d", what, rounded, (int)lo,
-                     (int)hi);
-        return false;
-    }
-    *out = (int32_t)rounded;
-    return true;
-}
-
-bool df_asm_layout_integer(struct df_asm *as, const struct df_argument *argument, int32_t lo,
-                           int32_t hi, const char *what, int32_t *out)
-{
-    if (argument->value.forward || argument->value.kind == DF_VALUE_UNKNOWN) {
-        as->layout_broken = true;
-        if (as->pass == 2 && argument->value.kind == DF_VALUE_NUMBER) {
-            df_asm_error(as, argument->column,
-                         "%s depends on a name defined further down; expected names defined above",
-                         what);
-        }
-        *out = 0;
-        return false;
-    }
-    if (!df_asm_integer(as, argument, lo, hi, what, out)) {
-        as->layout_broken = true;
-        return false;
-    }
-    return true;
+    return binary_expression(as, 1, value);
 }

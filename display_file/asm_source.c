@@ -154,6 +154,7 @@ struct matcher {
     uint32_t file;
     uint32_t open[BLOCK_DEPTH];
     uint32_t depth;
+    uint32_t forgiven[DF_BLOCK_END_IF + 1]; /* ends whose block was closed too early */
 };
 
 static void report_open(struct matcher *m)
@@ -193,6 +194,10 @@ static void close_block(struct matcher *m, uint32_t line)
 {
     struct df_source_line *lines = m->source->lines;
     enum df_block block = lines[line].block;
+    if (!belongs(m, block) && m->forgiven[block] > 0) {
+        m->forgiven[block]--;
+        return;
+    }
     if (!belongs(m, block)) {
         df_asm_error_at(m->as, m->file, line + 1, keyword_column(&m->source->lines[line]),
                         "%s without %s", word_of(block),
@@ -211,10 +216,33 @@ static void close_block(struct matcher *m, uint32_t line)
         }
         /* What is still open inside can no longer be closed: it ends here, too. */
         lines[opener].match = line;
+        m->forgiven[end_of(open)]++;
         report_open(m);
     }
     if (block == DF_BLOCK_ELSE) {
         open_block(m, line);
+    }
+}
+
+/* A line that ends or divides a block is not executed: it must hold nothing else. */
+static void check_end(struct df_asm *as, uint32_t file, uint32_t index)
+{
+    const struct df_source_line *line = &as->sources[file].lines[index];
+    const char *word = word_of(line->block);
+    struct df_lexer lex;
+    df_lex_start(&lex, line->text, line->length, true);
+    if (lex.token.kind != DF_TOKEN_NAME || lex.token.text[0] != '.') {
+        df_asm_error_at(as, file, index + 1, lex.token.column,
+                        "a label on a line with %s; expected it on a line of its own", word);
+        return;
+    }
+    df_lex_next(&lex);
+    if (line->block == DF_BLOCK_END_MACRO && lex.token.kind == DF_TOKEN_NAME) {
+        df_lex_next(&lex); /* .ENDM NAME */
+    }
+    if (lex.token.kind != DF_TOKEN_END) {
+        df_asm_error_at(as, file, index + 1, lex.token.column,
+                        "more after %s; expected the end of the line", word);
     }
 }
 
@@ -235,6 +263,7 @@ static void match_blocks(struct df_asm *as, uint32_t file)
             break;
         default:
             close_block(&m, i);
+            check_end(as, file, i);
         }
     }
     while (m.depth > 0) {
@@ -264,6 +293,11 @@ static bool cut_lines(struct df_asm *as, uint32_t file, size_t length)
     for (const char *p = text; p < end; p++) {
         count += *p == '\n';
     }
+    if (count > DF_ASM_FILE_LINES) {
+        df_asm_error_at(as, file, 0, 0, "the file has more than %u lines; expected .df source",
+                        DF_ASM_FILE_LINES);
+        return true;
+    }
     source->lines = calloc(count, sizeof *source->lines);
     if (source->lines == NULL) {
         df_asm_out_of_memory(as);
@@ -279,8 +313,8 @@ static bool cut_lines(struct df_asm *as, uint32_t file, size_t length)
         if (stop > text && stop[-1] == '\r') {
             stop--;
         }
-        source->lines[source->line_count++] =
-            (struct df_source_line){.text = text, .length = (uint32_t)(stop - text)};
+        source->lines[source->line_count++] = (struct df_source_line){
+            .text = text, .length = (uint32_t)(stop - text), .shown = (uint32_t)(stop - text)};
         text = next;
     }
     return true;

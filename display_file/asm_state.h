@@ -19,7 +19,8 @@
 #include "display_file/text_buffer.h"
 
 #define DF_ASM_LINE_BYTES    4095
-#define DF_ASM_FILE_BYTES    (4u << 20)
+#define DF_ASM_FILE_BYTES    (12u << 20)
+#define DF_ASM_FILE_LINES    1000000u
 #define DF_ASM_INCLUDE_DEPTH 16
 #define DF_ASM_REPEAT_DEPTH  8
 #define DF_ASM_MACRO_DEPTH   16
@@ -28,11 +29,12 @@
 #define DF_ASM_NESTING       100  /* parentheses and unary operators */
 #define DF_ASM_WORDS         1000000u
 #define DF_ASM_ERRORS        1000u
+#define DF_ASM_SUGGESTIONS   50u /* "did you mean": each looks at every name there is */
 #define DF_ASM_FILES         255u
 #ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
 #define DF_ASM_STEPS 20000u
 #else
-#define DF_ASM_STEPS 4000000u /* lines executed in a pass */
+#define DF_ASM_STEPS 2000000u /* lines executed in a pass */
 #endif
 
 /* ---- source ---- */
@@ -51,6 +53,7 @@ enum df_block {
 struct df_source_line {
     const char *text;
     uint32_t length;
+    uint32_t shown; /* length for messages: of a line that is too long, nothing is read */
     enum df_block block;
     uint32_t match; /* opener: line index of its .else or end; the line count when it has none */
 };
@@ -74,6 +77,7 @@ enum df_value_kind {
 struct df_value {
     enum df_value_kind kind;
     bool forward; /* made from a name defined only further down */
+    bool poison;  /* unknown because of an error that has been reported */
     double number;
     const char *text;
     uint32_t length;
@@ -178,6 +182,7 @@ struct df_asm {
     struct df_text calls; /* the same for people, one call a line */
     uint32_t nesting;
     uint32_t steps;
+    uint32_t suggestions;
 
     /* output */
     uint32_t address;  /* byte address, odd after an odd number of bytes */
@@ -248,6 +253,9 @@ void df_asm_symbols_free(struct df_asm *as);
 bool df_asm_same(const char *a, uint32_t a_length, const char *b, uint32_t b_length);
 
 /* asm_expr.c */
+bool df_asm_native_value(struct df_asm *as, struct df_value *value);
+
+/* asm_operands.c */
 /* An expression, or a string standing alone. False: reported. */
 bool df_asm_value(struct df_asm *as, struct df_argument *argument);
 /* All of a comma-separated list to the end of the line, into as->arguments. */

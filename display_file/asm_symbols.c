@@ -200,6 +200,12 @@ bool df_asm_define(struct df_asm *as, const struct df_token *name, enum df_symbo
                      kind == DF_SYMBOL_LABEL ? ", or a local one such as @loop" : "");
         return false;
     }
+    if (as->pass == 2 && kind == DF_SYMBOL_LABEL && symbol->kind == kind && as->failures == 0 &&
+        symbol->value.number != value.number) {
+        /* Cannot happen: what decides the layout is known in both passes alike. */
+        df_asm_error(as, name->column, "'%.*s' moved from 0o%o to 0o%o between the passes", shown,
+                     name->text, (unsigned)symbol->value.number, (unsigned)value.number);
+    }
     symbol->kind = kind;
     symbol->value = value;
     symbol->pass = (uint8_t)as->pass;
@@ -238,9 +244,32 @@ static void report_undefined(struct df_asm *as, const struct df_token *name)
     }
 }
 
-static struct df_value unknown(void)
+static struct df_value unknown(const struct df_asm *as)
 {
-    return (struct df_value){.kind = DF_VALUE_UNKNOWN, .forward = true};
+    return (struct df_value){.kind = DF_VALUE_UNKNOWN, .forward = true, .poison = as->pass == 2};
+}
+
+/* The value of a name that is defined, but only further down. */
+static struct df_value from_below(struct df_asm *as, const struct df_token *name,
+                                  const struct df_symbol *symbol)
+{
+    int shown = name->length > 40 ? 40 : (int)name->length;
+    struct df_value value = symbol->value;
+    value.forward = true;
+    if (symbol->kind == DF_SYMBOL_VARIABLE && !as->dec) {
+        df_asm_error(as, name->column,
+                     "'%.*s' is set only further down, at %s:%u; expected a .set above", shown,
+                     name->text, df_asm_name(as, symbol->file), (unsigned)symbol->line);
+        return unknown(as);
+    }
+    if (value.kind == DF_VALUE_UNKNOWN && !value.poison) {
+        df_asm_error(as, name->column,
+                     "'%.*s' is defined at %s:%u from names that come later still; expected its "
+                     "definition above",
+                     shown, name->text, df_asm_name(as, symbol->file), (unsigned)symbol->line);
+        return unknown(as);
+    }
+    return value;
 }
 
 struct df_value df_asm_lookup(struct df_asm *as, const struct df_token *name)
@@ -267,20 +296,11 @@ struct df_value df_asm_lookup(struct df_asm *as, const struct df_token *name)
         if (as->pass == 2) {
             report_undefined(as, name);
         }
-        return unknown();
+        return unknown(as);
     }
     symbol->referenced = true;
     if (symbol->pass != as->pass) {
-        if (symbol->kind == DF_SYMBOL_VARIABLE) {
-            df_asm_error(as, name->column,
-                         "'%.*s' is set only further down, at %s:%u; expected a .set above",
-                         (int)name->length, name->text, df_asm_name(as, symbol->file),
-                         (unsigned)symbol->line);
-            return unknown();
-        }
-        struct df_value value = symbol->value;
-        value.forward = true;
-        return value;
+        return from_below(as, name, symbol);
     }
     return symbol->value;
 }
@@ -289,30 +309,34 @@ struct df_value df_asm_lookup(struct df_asm *as, const struct df_token *name)
 
 #define NEAR 24 /* longer names are not compared */
 
+/* Letters left out, put in, changed or swapped with their neighbour. */
 static unsigned distance(const char *a, uint32_t m, const char *b, uint32_t n)
 {
-    unsigned row[NEAR + 1];
+    unsigned rows[3][NEAR + 1];
     for (uint32_t j = 0; j <= n; j++) {
-        row[j] = j;
+        rows[0][j] = j;
     }
     for (uint32_t i = 1; i <= m; i++) {
-        unsigned diagonal = row[0];
+        unsigned *row = rows[i % 3], *above = rows[(i + 2) % 3], *higher = rows[(i + 1) % 3];
         row[0] = i;
         for (uint32_t j = 1; j <= n; j++) {
-            unsigned change = diagonal + (lower(a[i - 1]) != lower(b[j - 1]));
-            unsigned least = row[j] < row[j - 1] ? row[j] + 1 : row[j - 1] + 1;
-            diagonal = row[j];
-            row[j] = change < least ? change : least;
+            char p = lower(a[i - 1]), q = lower(b[j - 1]);
+            unsigned least = above[j - 1] + (p != q);
+            least = above[j] + 1 < least ? above[j] + 1 : least;
+            least = row[j - 1] + 1 < least ? row[j - 1] + 1 : least;
+            bool swapped = i > 1 && j > 1 && p == lower(b[j - 2]) && lower(a[i - 2]) == q;
+            row[j] = swapped && higher[j - 2] + 1 < least ? higher[j - 2] + 1 : least;
         }
     }
-    return row[n];
+    return rows[m % 3][n];
 }
 
 static void consider(const struct df_token *name, const char *candidate, unsigned *best,
                      const char **found)
 {
     uint32_t length = (uint32_t)strlen(candidate);
-    if (length > NEAR || name->length > NEAR) {
+    if (length > NEAR || name->length > NEAR || length > name->length + *best ||
+        name->length > length + *best) {
         return;
     }
     unsigned d = distance(name->text, name->length, candidate, length);
@@ -328,6 +352,9 @@ const char *df_asm_nearest(struct df_asm *as, const struct df_token *name, bool 
 {
     unsigned best = name->length < 3 ? 1 : name->length < 6 ? 2 : 3;
     const char *found = NULL;
+    if (++as->suggestions > DF_ASM_SUGGESTIONS) {
+        return NULL;
+    }
     for (uint32_t i = 0; symbols && i < as->symbols.capacity; i++) {
         const struct df_symbol *symbol = as->symbols.slots[i];
         if (symbol != NULL && symbol->kind != DF_SYMBOL_UNDEFINED &&

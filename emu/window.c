@@ -90,6 +90,9 @@ struct vm_window *vm_window_open(int width, int height, const char *title, struc
     return NULL;
 }
 
+/* GLFW itself stays until the process ends: terminating would unload the GL driver, whose threads
+ * and static data do not survive that well (gl_context_backend.h keeps its libraries for the same
+ * reason). */
 void vm_window_close(struct vm_window *window)
 {
     if (!window)
@@ -97,7 +100,6 @@ void vm_window_close(struct vm_window *window)
     if (window->handle)
         glfwDestroyWindow(window->handle);
     vm_event_queue_destroy(window->events);
-    glfwTerminate();
     free(window);
 }
 

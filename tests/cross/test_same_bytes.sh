@@ -34,14 +34,20 @@ else
 fi
 
 "$KINESCOPE" asm $program -o "$out/program.oct" || exit 1
-# What a machine-independent film needs, without libpng, GL, inih and nettle.
-sources="tests/cross/film_bytes.c $(ls crt/*.c display_file/*.c | grep -vE '_avx2|png|glass|gl_|ini|image_hash|catalogue') \
-emu/machine.c emu/flow.c"
+# What a film needs, without libpng, GL, inih and nettle; the AVX2 kernels on x86-64 only.
+sources="tests/cross/film_bytes.c $(ls crt/*.c display_file/*.c |
+    grep -vE '_avx2|png|glass|gl_|ini|image_hash|catalogue') emu/machine.c emu/flow.c"
+flags="-std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -I. -pthread"
 cross() { # NAME RUNNER COMPILER...
     name=$1 runner=$2
     shift 2
+    rm -f "$out"/*.o
+    case $("$@" -dumpmachine) in
     # shellcheck disable=SC2086
-    if "$@" -std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -I. -pthread -o "$out/film_bytes" $sources -lm; then
+    x86_64*) "$@" $flags -mavx2 -c -o "$out/avx2.o" crt/footprint_avx2.c ;;
+    esac
+    # shellcheck disable=SC2086
+    if "$@" $flags -o "$out/film_bytes" $sources $(ls "$out"/*.o 2>/dev/null) -lm; then
         check "$name" "$($runner "$out/film_bytes" "$out/program.oct" VR17 $at_ps 2 | sha256sum | cut -d' ' -f1)"
     else
         n=$((n + 1))
