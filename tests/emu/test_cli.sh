@@ -2,6 +2,8 @@
 # The kinescope command from outside: help, exit statuses, what bad input is told, determinism.
 # Needs $KINESCOPE and $TEST_OUT; prints TAP.
 set -u
+LSAN_OPTIONS=suppressions=$(cd "$(dirname "$0")/../support" && pwd)/lsan.supp:print_suppressions=0
+export LSAN_OPTIONS
 programs=$(dirname "$0")/../programs
 work=$TEST_OUT/cli
 rm -rf "$work"
