@@ -279,7 +279,7 @@ static bool expose(struct capture *c, struct crt_error *err)
     struct vm_rig rig;
     if (!vm_rig_open(&rig, &c->settings, &c->input, DF_TIMING_VALUE, &c->tube, err))
         return false;
-    bool ok = vm_expose(&rig, &c->shots, take, c, err);
+    bool ok = vm_expose(&rig, &c->shots, take, c, err) && crt_tube_intact(rig.tube, err);
     vm_rig_close(&rig);
     return ok;
 }

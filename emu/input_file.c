@@ -161,13 +161,21 @@ static const char *kind_of(const char *path)
     return NULL;
 }
 
-static bool unknown_kind(const char *path, struct crt_error *err)
+/* Whatever opens the file later must not wait for a pipe or read a device for ever. */
+static bool is_regular(const char *path, struct crt_error *err)
 {
     struct stat status;
     if (stat(path, &status) != 0)
         return crt_fail(err, "%.300s cannot be opened: %s", path, strerror(errno));
     if (S_ISDIR(status.st_mode))
         return crt_fail(err, "%.300s is a directory; give the name of a program", path);
+    if (!S_ISREG(status.st_mode))
+        return crt_fail(err, "%.300s is not a regular file; give the name of a program", path);
+    return true;
+}
+
+static bool unknown_kind(const char *path, struct crt_error *err)
+{
     return crt_fail(
         err,
         "%.300s is of no known kind; kinescope reads .df source, .oct words, .lda tapes, "
@@ -179,11 +187,13 @@ bool vm_input_load(struct vm_input *in, const char *path, const struct vm_input_
                    struct crt_error *err, char **report)
 {
     bool raw = options->base.given || options->start.given;
-    const char *kind = kind_of(path);
     bool ok = false;
     memset(in, 0, sizeof *in);
     if (report)
         *report = NULL;
+    if (!is_regular(path, err))
+        return false;
+    const char *kind = kind_of(path);
     vm_base_name(path, in->name, sizeof in->name);
     if (!kind && raw)
         ok = load_bytes(in, path, "raw", options, err);

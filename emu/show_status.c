@@ -58,7 +58,7 @@ static const char *describe_state(const struct vm_machine *m)
 
 void vm_show_status(struct vm_show *show, double now)
 {
-    char text[320], time[32], scale[64], rate[96] = "";
+    char text[400], time[32], scale[64], rate[96] = "";
     const struct vm_machine *m = show->program->rig.machine;
     measure_speed(show, now);
     if (now - show->status_since < STATUS_S)

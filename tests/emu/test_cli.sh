@@ -2,6 +2,8 @@
 # The kinescope command from outside: help, exit statuses, what bad input is told, determinism.
 # Needs $KINESCOPE and $TEST_OUT; prints TAP.
 set -u
+LSAN_OPTIONS=suppressions=$(cd "$(dirname "$0")/../support" && pwd)/lsan.supp:print_suppressions=0
+export LSAN_OPTIONS
 programs=$(dirname "$0")/../programs
 work=$TEST_OUT/cli
 rm -rf "$work"
@@ -108,6 +110,11 @@ says "bad rate" 2 "rate" run "$star" --refresh 0 --headless
 # ---- files: status 1 ----------------------------------------------------------------------------
 says "no such file" 1 "missing.df" capture "$work/missing.df" -o "$work/x.png"
 says "a directory" 1 "directory|regular" capture "$work" -o "$work/x.png"
+mkfifo "$work/pipe.df"
+says "a pipe" 1 "not a regular file" capture "$work/pipe.df" -o "$work/x.png"
+says "a device" 1 "not a regular file" capture /dev/zero --base 0 -o "$work/x.png"
+"$KINESCOPE" trace "$star" >/dev/full 2>"$work/err"
+check "a full disk" [ $? -eq 1 -a -s "$work/err" ]
 echo hello >"$work/note.txt"
 says "unknown kind" 1 "\.df source" capture "$work/note.txt" -o "$work/x.png"
 printf '\177ELF' >"$work/prog.elf"

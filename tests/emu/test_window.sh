@@ -2,6 +2,8 @@
 # The window under a virtual X server: its screenshot is the offscreen picture of the same instant, keys
 # do what the help says, a changed file is loaded again. Needs $KINESCOPE and $TEST_OUT; prints TAP.
 set -u
+LSAN_OPTIONS=suppressions=$(cd "$(dirname "$0")/../support" && pwd)/lsan.supp:print_suppressions=0
+export LSAN_OPTIONS
 programs=$(cd "$(dirname "$0")/../programs" && pwd)
 work=$TEST_OUT/window
 rm -rf "$work"
