@@ -198,6 +198,7 @@ void crt_glass_overlay(struct crt_glass *glass, const uint8_t *rgba, int width, 
 void crt_glass_draw(struct crt_glass *glass, const struct crt_glass_settings *settings,
                     unsigned fbo, int width, int height)
 {
+    assert(width > 0 && height > 0);
     const struct crt_glass_tile whole = {0, 0, width, height, width, height};
     crt_glass_draw_tile(glass, settings, fbo, &whole);
 }
