@@ -25,13 +25,25 @@ static void command_folder(char *folder, size_t size)
         *slash = '\0';
 }
 
+/* Joins without leaving ".." in the name; the folder of a running command has no links in it. */
+static void join(const char *folder, const char *place, char *path, size_t size)
+{
+    size_t n = strlen(folder);
+    for (; strncmp(place, "../", 3) == 0; place += 3) {
+        while (n > 0 && folder[n - 1] != '/')
+            n--;
+        n -= n > 0;
+    }
+    snprintf(path, size, "%.*s/%s", (int)n, folder, place);
+}
+
 static bool look_for(char *found, size_t size)
 {
     static const char *const places[] = {"roms", "../../roms", "../share/kinescope/roms"};
     char folder[2048];
     command_folder(folder, sizeof folder);
     for (size_t i = 0; *folder && i < sizeof places / sizeof *places; i++) {
-        snprintf(found, size, "%s/%s", folder, places[i]);
+        join(folder, places[i], found, size);
         if (has_tour(found))
             return true;
     }

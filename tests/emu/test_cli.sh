@@ -255,6 +255,14 @@ check "take 33.33 ms" grep -qE "refresh time +33.33 ms" "$work/summary"
 check "list tubes" [ "$("$KINESCOPE" list tubes | grep -cE '^(VR14|VR17|RADAR7|TYPE30)')" -eq 4 ]
 check "list tubes --why names sources" [ "$("$KINESCOPE" list tubes --why | grep -c estimate)" -gt 20 ]
 check "list phosphors" [ "$("$KINESCOPE" list phosphors | grep -c '^P')" -ge 20 ]
+mkdir "$work/roms"
+printf '# tour\nstar.df VR14 A star\n\nspin.df - A hand\n' >"$work/roms/tour.txt"
+check "list roms" [ "$("$KINESCOPE" list roms --roms "$work/roms" | grep -c "A star$")" -eq 1 ]
+printf 'star.df\n' >"$work/roms/tour.txt"
+says "a tour without tubes" 1 "tour.txt:1" list roms --roms "$work/roms"
+printf '../star.df VR17 x\n' >"$work/roms/tour.txt"
+says "a tour out of its folder" 1 "same folder" list roms --roms "$work/roms"
+says "no tour" 1 "cannot be opened" list roms --roms "$work"
 "$KINESCOPE" run "$star" --headless --for 10s 2>"$work/err"
 check "run --headless" [ $? -eq 0 ]
 check "run --headless says how fast" grep -q "simulated seconds a second" "$work/err"
