@@ -77,6 +77,11 @@ struct crt_part {
 /* Chunks of 8 floats that the part's buffer holds. */
 size_t crt_part_chunks(const struct crt_shape *shape, struct crt_part part);
 
+/* Planes are kept in tiles (crt/planes.h). */
+#define CRT_TILE_COLS 64
+#define CRT_TILE_ROWS 16
+#define CRT_RUN_TILES 32
+
 struct crt_target {
     float *cells;
     float w0, w1; /* cells += w0·F0 + w1·F1 */
@@ -106,9 +111,10 @@ struct crt_kernels {
     /* light = or += share·cells. */
     void (*expose)(const float *cells, float *light, int stride, int rows, int cols, float share,
                    bool add);
-    /* Both in one go, one multiplication. */
-    bool (*expose_age)(float *cells, float *light, int stride, int rows, int cols, float share,
-                       bool add, float factor, float floor);
+    /* Both in one go, one multiplication, for at most CRT_RUN_TILES tiles side by side; lit says
+     * which of them have anything left. */
+    void (*expose_age)(float *cells, float *light, int stride, int rows, int cols, float share,
+                       bool add, float factor, float floor, uint8_t *lit);
 };
 
 extern const struct crt_kernels crt_kernels_baseline;

@@ -123,39 +123,63 @@ static void clear_tile(struct crt_pass *pass, float *light, int tile)
         memset(light, 0, (size_t)place.cols * sizeof light[0]);
 }
 
-/* The usual case in one sweep: one plane, one film, and the epoch ends. */
-static bool expose_and_age_tile(struct crt_pass *pass, int tile, float *cells)
-{
-    struct crt_tube *tube = pass->tube;
-    struct crt_plane *plane = &tube->planes.plane[0];
-    const struct feed *feed = &pass->feed[0];
-    int colour = tube->desc.phosphor->term[plane->term].colour;
-    struct crt_tile place = crt_planes_place(&tube->planes, tile);
-    float *light =
-        feed->open.film->light[colour] + (size_t)place.row * (size_t)pass->cols + (size_t)place.col;
-    plane->lit[tile] =
-        tube->kernels->expose_age(cells, light, pass->cols, place.rows, place.cols, feed->share[0],
-                                  !feed->blank, plane->factor, CRT_STORED_FLOOR);
-    plane->age[tile] = tube->planes.epoch + 1;
-    return true;
-}
-
 static void work_tile(struct crt_pass *pass, int tile)
 {
     struct crt_tube *tube = pass->tube;
     float *cells[CRT_MAX_TERMS];
     for (int k = 0; k < tube->planes.count; k++)
         cells[k] = crt_planes_tile(&tube->planes, k, tile, tube->planes.epoch);
-    int colours = tube->desc.phosphor->colours;
-    bool fused = pass->commit && tube->planes.count == 1 && pass->feeds == 1 && colours == 1;
-    if (fused && cells[0]) {
-        expose_and_age_tile(pass, tile, cells[0]);
-        return;
-    }
     for (int i = 0; i < pass->feeds; i++)
-        for (int c = 0; c < colours; c++)
+        for (int c = 0; c < tube->desc.phosphor->colours; c++)
             if (!expose_tile(pass, &pass->feed[i], c, tile, cells))
                 clear_tile(pass, pass->feed[i].open.film->light[c], tile);
+}
+
+/* Lit tiles side by side from `tile` on, before `end`, brought up to date. */
+static int lit_run(struct crt_pass *pass, int tile, int end)
+{
+    struct crt_planes *planes = &pass->tube->planes;
+    int run = 0;
+    while (tile + run < end && run < CRT_RUN_TILES &&
+           crt_planes_tile(planes, 0, tile + run, planes->epoch))
+        run++;
+    return run;
+}
+
+/* The usual case, one plane, one film, and the epoch ends: tiles [tile, end) of one row of tiles
+ * exposed and aged in one sweep, along whole rows of cells where they are lit. */
+static void sweep_tiles(struct crt_pass *pass, int tile, int end)
+{
+    struct crt_tube *tube = pass->tube;
+    struct crt_plane *plane = &tube->planes.plane[0];
+    const struct feed *feed = &pass->feed[0];
+    while (tile < end) {
+        int run = lit_run(pass, tile, end);
+        if (run == 0) {
+            work_tile(pass, tile++);
+            continue;
+        }
+        struct crt_tile first = crt_planes_place(&tube->planes, tile);
+        struct crt_tile last = crt_planes_place(&tube->planes, tile + run - 1);
+        size_t at = (size_t)first.row * (size_t)pass->cols + (size_t)first.col;
+        tube->kernels->expose_age(plane->cells + at, feed->open.film->light[0] + at, pass->cols,
+                                  first.rows, last.col + last.cols - first.col, feed->share[0],
+                                  !feed->blank, plane->factor, CRT_STORED_FLOOR, plane->lit + tile);
+        for (int i = 0; i < run; i++)
+            plane->age[tile + i] = tube->planes.epoch + 1;
+        tile += run;
+    }
+}
+
+static void work_tiles(struct crt_pass *pass, int tile, int end)
+{
+    const struct crt_tube *tube = pass->tube;
+    if (pass->commit && tube->planes.count == 1 && pass->feeds == 1 &&
+        tube->desc.phosphor->colours == 1)
+        sweep_tiles(pass, tile, end);
+    else
+        for (; tile < end; tile++)
+            work_tile(pass, tile);
 }
 
 /* ---- bands: pieces
@@ -293,6 +317,19 @@ static void work_piece(const struct crt_pass *pass, int index, int lo, int hi, i
         work_computed(pass, piece, weights, lo, hi, worker);
 }
 
+/* Asks for the start of a kept footprint's part in this band while the piece before is worked on.
+ */
+static void fetch_ahead(const struct piece *piece, int lo)
+{
+    const struct crt_shape *shape = &piece->shape;
+    if (!piece->kept || piece->store)
+        return;
+    int skipped = shape->walk == CRT_WALK_COLUMNS ? 0 : greater(0, lo - shape->r0) * shape->count;
+    const char *at = (const char *)(piece->kept + 8 * (size_t)skipped);
+    for (int i = 0; i < 16; i++)
+        __builtin_prefetch(at + 64 * i);
+}
+
 static void work_band(void *context, int band, int worker)
 {
     struct crt_pass *pass = context;
@@ -300,12 +337,15 @@ static void work_band(void *context, int band, int worker)
     const struct crt_planes *planes = &pass->tube->planes;
     if (!pass->tiles_done && pass->feeds > 0) {
         int first = lo / CRT_TILE_ROWS, last = (hi + CRT_TILE_ROWS - 1) / CRT_TILE_ROWS;
-        for (int tile = first * planes->tile_cols; tile < last * planes->tile_cols; tile++)
-            work_tile(pass, tile);
+        for (int row = first; row < last; row++)
+            work_tiles(pass, row * planes->tile_cols, (row + 1) * planes->tile_cols);
     }
     const uint16_t *items = pass->band_items + (size_t)band * BATCH;
-    for (int i = 0; i < pass->band_counts[band]; i++)
+    for (int i = 0; i < pass->band_counts[band]; i++) {
+        if (i + 1 < pass->band_counts[band])
+            fetch_ahead(&pass->pieces[items[i + 1]], lo);
         work_piece(pass, items[i], lo, hi, worker);
+    }
 }
 
 /* ---- planning

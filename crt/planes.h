@@ -15,9 +15,6 @@
 #include "crt/footprint.h"
 #include "crt/phosphor.h"
 
-#define CRT_TILE_COLS 64
-#define CRT_TILE_ROWS 16
-
 /* Stored energy too faint ever to be seen, cd·s/m². */
 #define CRT_STORED_FLOOR 1e-9F
 
