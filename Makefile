@@ -56,11 +56,14 @@ TEST_LIBS := -lcmocka
 .DELETE_ON_ERROR:
 .PHONY: all demo test check sanitize tsan bench golden layers headers format clean help deps fuzz
 
-all: $(KINESCOPE) kinescope
+all: $(KINESCOPE)
 
-# The command in the top folder is always the one last built.
+# The command in the top folder is the one to use: never a debug or sanitizer build.
+ifeq ($(MODE),rel)
+all: kinescope
 kinescope: $(KINESCOPE)
 	@ln -sf $< $@
+endif
 
 # ---- rules ---------------------------------------------------------------------------------------
 
@@ -80,10 +83,15 @@ $(foreach d,$(FOLDERS),$(eval $(call archive_rule,$(d))))
 $(KINESCOPE): $(O)/emu/main.o $(ARCHIVES)
 	$(CC) $(LDFLAGS) -o $@ $^ $(LIBS)
 
-$(TEST_BINS): $(O)/%: $(O)/%.o $(TEST_LIB:%.c=$(O)/%.o) $(ARCHIVES)
+# An archive, so that a benchmark takes only what it needs of it.
+$(O)/libsupport.a: $(TEST_LIB:%.c=$(O)/%.o)
+	@rm -f $@
+	ar rcs $@ $^
+
+$(TEST_BINS): $(O)/%: $(O)/%.o $(O)/libsupport.a $(ARCHIVES)
 	$(CC) $(LDFLAGS) -o $@ $^ $(TEST_LIBS) $(LIBS)
 
-$(BENCH_BINS): $(O)/%: $(O)/%.o $(TEST_LIB:%.c=$(O)/%.o) $(ARCHIVES)
+$(BENCH_BINS): $(O)/%: $(O)/%.o $(O)/libsupport.a $(ARCHIVES)
 	$(CC) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 $(REPLAY_BINS): $(O)/%_replay: $(O)/%.o $(O)/tests/fuzz/replay.o $(ARCHIVES)

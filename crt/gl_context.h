@@ -1,4 +1,5 @@
-/* gl_context.h — an offscreen GL 3.3 core context, from OSMesa or, where that is missing, EGL surfaceless.
+/* gl_context.h — an offscreen GL 3.3 core context, from OSMesa or, where that is missing, from
+ * EGL's surfaceless platform.
  *
  * Both libraries are loaded with dlopen, so the program starts without them.
  * Ownership:  create/destroy pair; one context may be current per thread.

@@ -1,17 +1,32 @@
 /* glass.h — what a viewer sees: the film behind a curved faceplate, in GL 3.3 core.
  *
- *      film (float, per colour) ─▶ resample ─▶ halation (reduced size) ─▶ faceplate, room light ─▶ tone ─▶ sRGB
- *                                                                               overlay text ────────┘
+ *   film (float, per colour) ─▶ resample ─▶ halation ─▶ face, room light ─▶ tone ─▶ sRGB ─▶ text
  *
  * The same code draws in a GLFW window and in an offscreen context. It creates no context and
  * touches no window system: the caller makes a context current and passes its loader.
  *
- * Models:     curvature of the faceplate (spherical), halation (light scattered in it), room light
- *             reflected by glass and phosphor, one tone curve (crt/develop.h), gamut desaturation as in film.
+ * Models:
+ * - Resampling: an exact copy at one cell a pixel; a cubic of four taps made for Gaussian spots
+ *   when enlarging; the mean over each pixel's area when reducing.
+ * - Curvature: a spherical face seen from far away. The picture keeps its scale at the centre;
+ *   towards the rim millimetres are measured along the glass. A dark bezel with a soft edge.
+ * - Halation: light totally reflected at the front of the glass returns to the phosphor in a ring
+ *   of radius 2·t·tan(asin(1/n)), 14 mm for t = 8 mm (estimate) and n = 1.52; here a Gaussian of
+ *   the ring's second moment, sigma = 9.9 mm, computed at reduced size.
+ * - Room light reflected by glass and phosphor: even; on a curved face also a lamp's soft glint
+ *   (its place and strength are estimates).
+ * - Tone curve, gamut desaturation and sRGB as in crt/develop.h.
+ *
+ * Passes that are off cost nothing.
  * Units:      luminance cd/m²; pixels.
- * Ownership:  crt_glass_create allocates GL objects in the current context; destroy needs it current.
- * Errors:     one sentence (missing GL function, shader or framebuffer trouble with the driver named).
- * Not exempted: results vary with the GL driver; compare with tolerance only.
+ * Ownership:  crt_glass_create allocates GL objects in the current context; destroy needs it
+ *             current. Textures are kept from frame to frame.
+ * Errors:     one sentence (missing GL function, shader or framebuffer trouble with the driver
+ *             named). Functions that return nothing leave theirs to the next crt_glass_render.
+ * Determinism: none, results vary with the GL driver: compare with tolerance. With every pass off
+ *             and one cell a pixel it is crt_develop's picture within one step of 8 bits.
+ * Not modelled: the dark centre of the halation ring, parallax of the glass's thickness, shadow
+ *             mask.
  */
 #ifndef CRT_GLASS_H
 #define CRT_GLASS_H
@@ -40,13 +55,18 @@ void crt_glass_destroy(struct crt_glass *glass);
 /* "OSMesa / llvmpipe …": GL_RENDERER and GL_VERSION, for the status line. */
 const char *crt_glass_driver(const struct crt_glass *glass);
 
-/* Uploads a complete film. */
+/* Uploads a complete film; it may change or go afterwards. */
 void crt_glass_film(struct crt_glass *glass, const struct crt_film *film,
                     const struct crt_phosphor *phosphor);
 
 /* Text and marks drawn over the glass: RGBA, 8 bit, straight alpha, top row first, win_w × win_h;
  * NULL removes it. */
 void crt_glass_overlay(struct crt_glass *glass, const uint8_t *rgba, int width, int height);
+
+/* Where a window pixel (origin top left, y down, may be fractional) lies on the glass as
+ * crt_glass_draw shows it, in tube millimetres. False off the screen and before the first film. */
+bool crt_glass_pick(const struct crt_glass *glass, const struct crt_glass_settings *settings,
+                    int width, int height, double x, double y, double *x_mm, double *y_mm);
 
 /* Draws into framebuffer `fbo` (0 = the window) of width × height pixels, letterboxed. */
 void crt_glass_draw(struct crt_glass *glass, const struct crt_glass_settings *settings,

@@ -30,7 +30,7 @@ void crt_image_hash(const struct crt_image *image, char hex[65]);
 /* How two pictures of one size and depth differ. */
 struct crt_image_difference {
     bool same_shape;
-    int max_difference;        /* in steps of the samples' depth */
+    int max_difference; /* in steps of the samples' depth */
     double mean_difference;
     double psnr_db;            /* infinity when equal */
     uint64_t pixels_differing; /* by more than the tolerance in any sample */

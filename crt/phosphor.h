@@ -28,11 +28,12 @@ struct crt_chromaticity {
     double x, y; /* CIE 1931 */
 };
 
-/* Published persistence: time from the end of excitation until the light has fallen to a fraction of its
- * value. 0 = not published. */
+/* Published persistence: time from the end of excitation until the light has fallen to a fraction
+ * of its value. 0 = not published. */
 struct crt_persistence {
     double t10_s, t1_s, t01_s; /* to 10 %, 1 %, 0.1 % */
-    const char *source;
+    double t10_high_s;         /* upper end when the 10 % figure is published as a range, else 0 */
+    const char *source;        /* never NULL; "" when nothing is published */
 };
 
 enum crt_persistence_source { CRT_FROM_TEKTRONIX, CRT_FROM_JEDEC, CRT_FROM_IMPULSE, CRT_FROM_USER };
@@ -62,7 +63,12 @@ const struct crt_phosphor *crt_phosphor_find(const char *name);
 /* Light at time t_s after an impulse of unit energy, in 1/s, all colours together. */
 double crt_phosphor_impulse(const struct crt_phosphor *p, double t_s);
 
-/* The time the model takes to fall to `fraction` of its value at t = 0, by root-finding, seconds. */
+/* The time the model takes to fall to `fraction` of its value at t = 0, by root-finding, seconds;
+ * 0 for fraction >= 1, infinity for fraction <= 0. */
 double crt_phosphor_decay_time(const struct crt_phosphor *p, double fraction);
+
+/* Modulation of the light at `hz` when the phosphor is struck `hz` times a second: the amplitude of
+ * the fundamental over the mean, C1 = 2·|Σ w_k/(1 + j2πf·τ_k)|, 0…2. */
+double crt_phosphor_c1(const struct crt_phosphor *p, double hz);
 
 #endif

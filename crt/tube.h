@@ -4,20 +4,20 @@
  *                            │                                     │
  *                            └───────────── expose ────────────────┴──▶ film, probe
  *
- * Models:     gun (I ∝ drive^γ), a Gaussian spot that grows with current, the line integral of a spot
- *             moving at constant speed with end-point dwell (erf caps), time-stamped deposits, decay by
+ * Models:     gun (I ∝ drive^γ), a Gaussian spot that grows with current, the line integral of a
+ * spot moving at constant speed with end-point dwell (erf caps), time-stamped deposits, decay by
  *             the phosphor's sum of exponentials. Absolute: light is in cd·s/m² (fluence) or cd/m².
  * Time:       picoseconds; epoch n ends at tick n+1 of desc.epoch.
- * Observing never changes state: an exposure or a probe is a function of planes (as of the last epoch)
- *             and journal (strokes since); a film's samples depend on its interval only, never on what
+ * Observing never changes state: an exposure or a probe is a function of planes (as of the last
+ * epoch) and journal (strokes since); a film's samples depend on its interval only, never on what
  *             else was observed, on the number of threads or on the instruction set.
- * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above the floor); shorter terms
- *             are computed from the journal of this and the previous epoch.
- * Ageing:     n epochs are n float multiplications; values below a fixed floor become 0.
- * Ownership:  crt_tube_create allocates planes and journal, crt_tube_destroy frees them. Films belong
- *             to the caller. desc is copied; row and phosphor must outlive the tube.
- * Errors:     out of memory: NULL and a sentence. Misuse (time running backwards) asserts.
- * Not modelled: video amplifier (vector heads switch the beam), misfocus towards the corners, saturation.
+ * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above the floor); shorter
+ * terms are computed from the journal of this and the previous epoch. Ageing:     n epochs are n
+ * float multiplications; values below a fixed floor become 0. Ownership:  crt_tube_create allocates
+ * planes and journal, crt_tube_destroy frees them. Films belong to the caller. desc is copied; row
+ * and phosphor must outlive the tube. Errors:     out of memory: NULL and a sentence. Misuse (time
+ * running backwards) asserts. Not modelled: video amplifier (vector heads switch the beam),
+ * misfocus towards the corners, saturation.
  */
 #ifndef CRT_TUBE_H
 #define CRT_TUBE_H
@@ -44,12 +44,12 @@ struct crt_knobs {
 struct crt_tube_desc {
     const struct crt_tube_row *row;
     const struct crt_phosphor *phosphor;
-    struct crt_grid grid;     /* crt_tube_grid(row), or a close-up */
-    struct crt_rate epoch;    /* the head's sync tick */
+    struct crt_grid grid;  /* crt_tube_grid(row), or a close-up */
+    struct crt_rate epoch; /* the head's sync tick */
     struct crt_knobs knobs;
-    int threads;              /* 1… */
+    int threads; /* 1… */
     enum crt_simd simd;
-    bool no_reuse;            /* never reuse cached footprints (for benchmarks and tests) */
+    bool no_reuse; /* never reuse cached footprints (for benchmarks and tests) */
 };
 
 struct crt_tube;
@@ -64,6 +64,7 @@ struct crt_film {
     bool complete;
     struct crt_film *next; /* the tube's list of open films */
     uint64_t fed_to;       /* how far light has been gathered; private to the tube */
+    bool blank;            /* nothing gathered yet: samples hold nothing in particular; private */
 };
 
 struct crt_tube *crt_tube_create(const struct crt_tube_desc *desc, struct crt_error *err);
@@ -84,8 +85,9 @@ void crt_tube_set_knobs(struct crt_tube *tube, struct crt_knobs knobs);
 bool crt_film_init(struct crt_film *film, const struct crt_tube *tube, struct crt_error *err);
 void crt_film_free(struct crt_film *film);
 
-/* Clears the film and opens it for [t0, t1), t0 < t1; t0 must not precede the `now` of the last
- * advance. The film must stay alive until it is complete or crt_film_cancel()led. */
+/* Opens the film for [t0, t1), t0 < t1; t0 must not precede the `now` of the last advance. What it
+ * held is gone; its samples mean something once it is complete. The film must stay alive until then
+ * or until crt_film_cancel(). */
 void crt_film_open(struct crt_tube *tube, struct crt_film *film, uint64_t t0, uint64_t t1);
 void crt_film_cancel(struct crt_tube *tube, struct crt_film *film);
 
@@ -93,6 +95,9 @@ void crt_film_cancel(struct crt_tube *tube, struct crt_film *film);
  * last-advance <= t (strokes after t do not count) or within the epoch being journalled. */
 void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint64_t t,
                     double cd_m2[CRT_MAX_COLOURS]);
+
+/* False and a sentence when memory ran out and light was lost since the tube was created. */
+bool crt_tube_intact(const struct crt_tube *tube, struct crt_error *err);
 
 /* Totals for tests and traces, double precision, cd·s/m² summed over cells. */
 struct crt_tube_totals {

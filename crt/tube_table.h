@@ -4,8 +4,9 @@
  *             lie in, and the source it comes from, or the word "estimate".
  * Units:      in the X-macro below.
  * Sources:    in the rows (`kinescope list tubes --why` prints them).
- * Ownership:  built-in rows are constant. crt_tube_load() fills a row the caller owns.
- * Errors:     crt_tube_load() writes one sentence with file and line.
+ * Ownership:  built-in rows are constant. A catalogue owns its rows and their text until
+ *             crt_catalogue_free().
+ * Errors:     crt_catalogue_load() writes one sentence with file and line.
  * Not modelled: see crt/tube.h.
  */
 #ifndef CRT_TUBE_TABLE_H
@@ -53,9 +54,9 @@ struct crt_figure {
     X(intensify, "us", "pen intensify spot: time lit")
 
 struct crt_tube_row {
-    char name[24];         /* "VR17" */
+    char name[24]; /* "VR17" */
     char description[96];
-    char phosphor[16];     /* name of the phosphor it has */
+    char phosphor[16]; /* name of the phosphor it has */
 #define X(field, unit, meaning) struct crt_figure field;
     CRT_TUBE_FIGURES(X)
 #undef X
@@ -69,8 +70,23 @@ struct crt_figure *crt_tube_figure(struct crt_tube_row *row, const char *name, c
 
 struct crt_screen crt_tube_screen(const struct crt_tube_row *row);
 
-/* The grid film and planes use: cells no larger than sigma of the smallest spot. */
+/* Width of a Gaussian at 60 % of its peak, in sigma: 2·sqrt(2·ln(1/0.6)). */
+#define CRT_WIDTH60_SIGMA 2.0215356
+
+/* The grid film and planes use: cells no larger than sigma of the smallest spot. Its size must have
+ * passed crt_tube_check (built-in rows and those of a catalogue have); else it asserts. */
 struct crt_grid crt_tube_grid(const struct crt_tube_row *row);
+
+/* No grid has more cells than this (a plane of 64 MiB). */
+#define CRT_MAX_GRID_CELLS 16777216
+
+/* Whether every figure is a number within its possible range, ordered low <= value <= high, and the
+ * grid has a sensible size; if not, one sentence naming tube, figure and limits. To be called after
+ * figures were changed by hand. */
+bool crt_tube_check(const struct crt_tube_row *row, struct crt_error *err);
+
+/* The same for the figure called `name` alone. */
+bool crt_tube_check_figure(const struct crt_tube_row *row, const char *name, struct crt_error *err);
 
 /* A catalogue: the built-in rows and phosphors plus those of INI files. */
 struct crt_catalogue {
@@ -83,8 +99,9 @@ struct crt_catalogue {
 };
 
 bool crt_catalogue_init(struct crt_catalogue *c, struct crt_error *err);
-/* Adds the [tube NAME] and [phosphor NAME] sections of an INI file; a tube may name `like = VR17`
- * and change only some figures. Nothing is added when the file has an error. */
+/* Adds the [tube NAME] and [phosphor NAME] sections of an INI file (format: crt/tube_ini.h); a tube
+ * may name `like = VR17` and change only some figures. Nothing is added when the file has an error.
+ * Rows looked up before may move: look them up again. */
 bool crt_catalogue_load(struct crt_catalogue *c, const char *path, struct crt_error *err);
 const struct crt_tube_row *crt_catalogue_tube(const struct crt_catalogue *c, const char *name);
 const struct crt_phosphor *crt_catalogue_phosphor(const struct crt_catalogue *c, const char *name);

@@ -216,6 +216,27 @@ static void directive_dialect(struct df_asm *as, unsigned what)
     }
 }
 
+/* Which tube the program was made for; whether there is such a row is for the machine to say. */
+static void directive_tube(struct df_asm *as, unsigned what)
+{
+    (void)what;
+    struct df_token name = as->lex.token;
+    if (name.kind != DF_TOKEN_NAME || name.text[0] == '.') {
+        df_asm_unexpected(as, "the name of a tube, such as VR17");
+        return;
+    }
+    if (name.length >= sizeof as->program->tube) {
+        df_asm_error(as, name.column, "the tube's name is too long; expected at most %d characters",
+                     (int)sizeof as->program->tube - 1);
+        return;
+    }
+    df_lex_next(&as->lex);
+    if (df_asm_end_of_line(as)) {
+        memcpy(as->program->tube, name.text, name.length);
+        as->program->tube[name.length] = '\0';
+    }
+}
+
 static const struct df_asm_statement directives[] = {
     {".equ", directive_assign, DF_SYMBOL_CONSTANT},
     {".set", directive_assign, DF_SYMBOL_VARIABLE},
@@ -227,6 +248,7 @@ static const struct df_asm_statement directives[] = {
     {".pos", directive_pos, 0},
     {".mode", directive_mode, 0},
     {".dialect", directive_dialect, 0},
+    {".tube", directive_tube, 0},
 };
 
 #define DIRECTIVES (sizeof directives / sizeof directives[0])

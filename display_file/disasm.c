@@ -129,6 +129,9 @@ static void write_all(struct disassembly *d)
     const struct df_program *p = d->program;
     uint32_t expected = 0;
     d->mode = NO_MODE;
+    if (p->tube[0] != '\0') {
+        df_text_add(&d->text, "        .tube   %s\n", p->tube);
+    }
     if (p->entry != p->low) {
         df_text_add(&d->text, "        .start  ");
         add_place(d, p->entry);

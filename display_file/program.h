@@ -24,6 +24,7 @@ struct df_program {
     unsigned file_count;
     uint32_t low, high; /* the first address loaded and the one after the last; low == high: empty */
     uint32_t entry;     /* where DPC starts */
+    char tube[24];      /* the tube the program was made for (`.tube`), "" when it does not say */
 };
 
 bool df_program_init(struct df_program *p, struct crt_error *err);

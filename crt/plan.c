@@ -1,0 +1,216 @@
+#include "crt/plan.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "crt/footprint_profile.h"
+
+/* Coordinates beyond this are cut to the grid's neighbourhood first, cells. */
+#define FAR 1e5
+
+/* Keeps fractions [*u0, *u1] of x + dx·u between low and high; false when none is left. */
+static bool cut(double x, double dx, double low, double high, double *u0, double *u1)
+{
+    if (dx == 0)
+        return x >= low && x <= high;
+    double a = (low - x) / dx, b = (high - x) / dx;
+    *u0 = fmax(*u0, fmin(a, b));
+    *u1 = fmin(*u1, fmax(a, b));
+    return *u0 < *u1;
+}
+
+static double span(uint64_t a, uint64_t b)
+{
+    return (double)(b - a);
+}
+
+static uint64_t later(uint64_t a, uint64_t b)
+{
+    return a > b ? a : b;
+}
+
+static uint64_t earlier(uint64_t a, uint64_t b)
+{
+    return a < b ? a : b;
+}
+
+/* The brightest cell of energy spread over a line: erf(L/2√2) is at least 0.68 from 2 sigma on, and
+ * falls more slowly than L below. */
+double crt_plan_crest(const struct crt_entry *entry)
+{
+    const struct crt_stroke *s = &entry->stroke;
+    double dx = (double)s->x1 - (double)s->x0, dy = (double)s->y1 - (double)s->y0;
+    double length = sqrt(dx * dx + dy * dy), sigma = entry->sigma_mm;
+    double full = entry->power * crt_seconds(s->t0, s->t1) / (CRT_LINE_AREA * sigma);
+    if (length >= 6 * sigma)
+        return full / length;
+    return 0.68 * full / fmax(length, 2 * sigma);
+}
+
+static bool cut_to_grid(struct crt_drawn *d, const struct crt_grid *grid)
+{
+    double margin = 16 * d->sigma + 64, u0 = 0, u1 = 1;
+    if (!cut(d->x0, d->dx, -margin, grid->cols + margin, &u0, &u1) ||
+        !cut(d->y0, d->dy, -margin, grid->rows + margin, &u0, &u1))
+        return false;
+    double whole = span(d->t0, d->t1);
+    d->from = later(d->from, d->t0 + (uint64_t)(u0 * whole));
+    d->to = earlier(d->to, d->t0 + (uint64_t)ceil(u1 * whole));
+    return d->from < d->to;
+}
+
+bool crt_drawn_init(struct crt_drawn *d, const struct crt_entry *entry, const struct crt_grid *grid,
+                    uint64_t from, uint64_t to)
+{
+    const struct crt_stroke *s = &entry->stroke;
+    double x1, y1;
+    crt_mm_to_cell(grid, s->x0, s->y0, &d->x0, &d->y0);
+    crt_mm_to_cell(grid, s->x1, s->y1, &x1, &y1);
+    d->dx = x1 - d->x0;
+    d->dy = y1 - d->y0;
+    d->t0 = s->t0;
+    d->t1 = s->t1;
+    d->from = later(s->t0, from);
+    d->to = earlier(s->t1, to);
+    d->sigma = entry->sigma_mm / grid->cell_mm;
+    d->power = entry->power / (grid->cell_mm * grid->cell_mm);
+    d->moving = d->dx != 0 || d->dy != 0;
+    if (d->from >= d->to)
+        return false;
+    double reach = 1.5 * CRT_CUT * d->sigma;
+    if (fmax(d->x0, x1) < -reach || fmin(d->x0, x1) > grid->cols + reach ||
+        fmax(d->y0, y1) < -reach || fmin(d->y0, y1) > grid->rows + reach)
+        return false;
+    d->crest = entry->crest;
+    if (fmax(fabs(d->x0), fabs(x1)) > FAR || fmax(fabs(d->y0), fabs(y1)) > FAR)
+        if (!cut_to_grid(d, grid))
+            return false;
+    d->whole = d->from == d->t0 && d->to == d->t1;
+    return true;
+}
+
+/* Which part of the stroke a share applies to; false: none. */
+static bool overlap(const struct crt_drawn *d, const struct crt_share *share, uint64_t *from,
+                    uint64_t *to)
+{
+    *from = later(d->from, share->from);
+    *to = earlier(d->to, share->to);
+    return *from < *to;
+}
+
+static bool middle_on_grid(const struct crt_stroke *s, const struct crt_grid *grid)
+{
+    double col, row;
+    crt_mm_to_cell(grid, ((double)s->x0 + (double)s->x1) / 2, ((double)s->y0 + (double)s->y1) / 2,
+                   &col, &row);
+    return col >= 0 && row >= 0 && col <= grid->cols - 1 && row <= grid->rows - 1;
+}
+
+void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid *grid,
+                        uint64_t from, uint64_t to, struct crt_receiver *receivers, int count)
+{
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < receivers[i].shares; k++) {
+            const struct crt_share *share = &receivers[i].share[k];
+            uint64_t begin = later(from, share->from), end = earlier(to, share->to);
+            double most = crt_share_total(share);
+            for (size_t n = 0; n < entries->count; n++) {
+                const struct crt_entry *entry = &entries->at[n];
+                const struct crt_stroke *s = &entry->stroke;
+                if (entry->crest * most <= receivers[i].brightest || s->t0 < begin || s->t1 > end ||
+                    !middle_on_grid(s, grid))
+                    continue;
+                double mean = crt_share_over(share, s->t0, s->t1).mean;
+                receivers[i].brightest = fmax(receivers[i].brightest, entry->crest * mean);
+                /* Within an exposure shares only fall: later strokes get no more. */
+                if (share->within)
+                    most = fmin(most, mean * (1 + 1e-9));
+            }
+        }
+}
+
+/* The share over [from, to) as a weight, or false when a straight line is not good enough. */
+static bool weigh(const struct crt_drawn *d, const struct crt_receiver *receiver,
+                  const struct crt_share *share, uint64_t from, uint64_t to,
+                  struct crt_weight *weight)
+{
+    struct crt_share_fit fit = crt_share_over(share, from, to);
+    double energy = d->power * crt_seconds(from, to);
+    double bright = fmax(d->crest * fit.mean, receiver->brightest);
+    double allowed = fmax(CRT_OFF_CONSTANT * bright, CRT_TOO_FAINT);
+    bool constant = !d->moving || d->crest * fit.off_constant <= allowed;
+    allowed = fmax(CRT_OFF_LINE * bright, CRT_TOO_FAINT);
+    bool line = constant || d->crest * fit.off_line <= allowed || to - from < 2;
+    if (!line)
+        return false;
+    *weight = (struct crt_weight){0};
+    if (d->crest * fit.mean < CRT_TOO_FAINT)
+        return true;
+    weight->w0 = (float)(energy * fit.mean);
+    weight->w1 = constant ? 0 : (float)(energy * fit.slope);
+    return true;
+}
+
+static void locate(const struct crt_drawn *d, uint64_t from, uint64_t to,
+                   struct crt_piece_plan *piece)
+{
+    piece->whole = from == d->t0 && to == d->t1;
+    double u0 = span(d->t0, from) / span(d->t0, d->t1), u1 = span(d->t0, to) / span(d->t0, d->t1);
+    piece->stretch = (struct crt_stretch){d->x0 + d->dx * u0, d->y0 + d->dy * u0,
+                                          d->x0 + d->dx * u1, d->y0 + d->dy * u1, d->sigma};
+}
+
+struct halving {
+    const struct crt_drawn *drawn;
+    const struct crt_receiver *receiver;
+    int index;
+    crt_plan_emit *emit;
+    void *context;
+    struct crt_piece_plan *piece;
+};
+
+/* Pieces for one receiver alone, halved until each will do. */
+static void halve(const struct halving *h, const struct crt_share *share, uint64_t from,
+                  uint64_t to)
+{
+    struct crt_weight *weight = &h->piece->weight[h->index];
+    if (!weigh(h->drawn, h->receiver, share, from, to, weight)) {
+        uint64_t middle = from + (to - from) / 2;
+        halve(h, share, from, middle);
+        halve(h, share, middle, to);
+    } else if (weight->w0 != 0) {
+        locate(h->drawn, from, to, h->piece);
+        h->emit(h->context, h->piece);
+    }
+    *weight = (struct crt_weight){0};
+}
+
+void crt_plan(const struct crt_drawn *d, const struct crt_receiver *receivers, int count,
+              crt_plan_emit *emit, void *context)
+{
+    struct crt_piece_plan piece;
+    bool joined[CRT_MAX_TARGETS], any = false;
+    memset(piece.weight, 0, (size_t)count * sizeof piece.weight[0]);
+    /* First what takes the stroke in one piece, all together. */
+    for (int i = 0; i < count; i++) {
+        joined[i] = false;
+        for (int k = 0; k < receivers[i].shares && !joined[i]; k++) {
+            const struct crt_share *share = &receivers[i].share[k];
+            joined[i] = share->from <= d->from && share->to >= d->to &&
+                        weigh(d, &receivers[i], share, d->from, d->to, &piece.weight[i]);
+        }
+        any |= joined[i] && piece.weight[i].w0 != 0;
+    }
+    if (any) {
+        locate(d, d->from, d->to, &piece);
+        emit(context, &piece);
+    }
+    memset(piece.weight, 0, (size_t)count * sizeof piece.weight[0]);
+    for (int i = 0; i < count; i++)
+        for (int k = 0; k < receivers[i].shares && !joined[i]; k++) {
+            struct halving h = {d, &receivers[i], i, emit, context, &piece};
+            uint64_t from, to;
+            if (overlap(d, &receivers[i].share[k], &from, &to))
+                halve(&h, &receivers[i].share[k], from, to);
+        }
+}

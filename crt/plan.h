@@ -1,0 +1,71 @@
+/* plan.h — from strokes to pieces of footprint with a weight for each plane and film.
+ *
+ * Models:     the share of a stroke's light that a target gets depends on when each point of it was
+ *             drawn. Over a piece that share is a constant, or a straight line, as far as what that
+ * misses stays below CRT_OFF_CONSTANT or CRT_OFF_LINE of the light of the stroke or of the
+ * brightest stroke of the pass; else the stroke is halved in time for that target. Units: weights
+ * in cd·s/m². Ownership:  plain values; the caller's.
+ */
+#ifndef CRT_PLAN_H
+#define CRT_PLAN_H
+
+#include "crt/footprint.h"
+#include "crt/journal.h"
+#include "crt/share.h"
+
+#define CRT_OFF_CONSTANT 4e-4
+#define CRT_OFF_LINE     1e-4
+
+/* Light too faint to be deposited, cd·s/m². */
+#define CRT_TOO_FAINT 1e-11
+
+#define CRT_MAX_TARGETS 28
+
+/* Somewhere that light goes: a plane, or a film. */
+struct crt_receiver {
+    float *cells;
+    int shares;
+    struct crt_share share[2]; /* one after the other in time */
+    double brightest;          /* crest of the brightest stroke in it, so far as known */
+};
+
+struct crt_weight {
+    float w0, w1;
+};
+
+struct crt_piece_plan {
+    struct crt_stretch stretch;
+    struct crt_weight
+        weight[CRT_MAX_TARGETS]; /* per unit of F0 and F1, before dividing by the area */
+    bool whole;                  /* the stroke as it was delivered */
+};
+
+/* A stroke in cells, cut to the neighbourhood of the grid, between two moments. */
+struct crt_drawn {
+    double x0, y0, dx, dy; /* cells; position = x0 + dx·(t − t0)/(t1 − t0) */
+    uint64_t t0, t1;       /* of the stroke */
+    uint64_t from, to;     /* the part considered */
+    double power;          /* per second, in cd·s/m² × cells */
+    double sigma;          /* cells */
+    double crest;          /* light of the brightest cell, energy share 1, cd·s/m² */
+    bool moving, whole;
+};
+
+/* False when nothing of the stroke between `from` and `to` can be on the grid. */
+bool crt_drawn_init(struct crt_drawn *drawn, const struct crt_entry *entry,
+                    const struct crt_grid *grid, uint64_t from, uint64_t to);
+
+/* The crest of an entry's light, from below. */
+double crt_plan_crest(const struct crt_entry *entry);
+
+/* Notes in each receiver the crest of the brightest stroke that is drawn between `from` and `to`
+ * and crosses the grid with its middle. */
+void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid *grid,
+                        uint64_t from, uint64_t to, struct crt_receiver *receivers, int count);
+
+/* Calls emit for each piece, in an order that is each receiver's order of time. */
+typedef void crt_plan_emit(void *context, const struct crt_piece_plan *piece);
+void crt_plan(const struct crt_drawn *drawn, const struct crt_receiver *receivers, int count,
+              crt_plan_emit *emit, void *context);
+
+#endif

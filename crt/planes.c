@@ -1,0 +1,88 @@
+#include "crt/planes.h"
+
+#include <stdlib.h>
+
+#include "crt/maths.h"
+
+bool crt_planes_init(struct crt_planes *planes, const struct crt_phosphor *phosphor, int cols,
+                     int rows, double epoch_s, const struct crt_kernels *kernels)
+{
+    *planes = (struct crt_planes){.kernels = kernels, .cols = cols, .rows = rows};
+    planes->tile_cols = (cols + CRT_TILE_COLS - 1) / CRT_TILE_COLS;
+    planes->tile_rows = (rows + CRT_TILE_ROWS - 1) / CRT_TILE_ROWS;
+    size_t tiles = (size_t)planes->tile_cols * (size_t)planes->tile_rows;
+    for (int k = 0; k < phosphor->terms; k++) {
+        double factor = crt_exp(-epoch_s / phosphor->term[k].tau_s);
+        if (factor <= CRT_PLANE_SHARE)
+            continue;
+        struct crt_plane *plane = &planes->plane[planes->count++];
+        plane->term = k;
+        plane->factor = (float)factor;
+        plane->cells = calloc((size_t)cols * (size_t)rows, sizeof plane->cells[0]);
+        plane->lit = calloc(tiles, sizeof plane->lit[0]);
+        plane->age = calloc(tiles, sizeof plane->age[0]);
+        if (!plane->cells || !plane->lit || !plane->age) {
+            crt_planes_free(planes);
+            return false;
+        }
+    }
+    return true;
+}
+
+void crt_planes_free(struct crt_planes *planes)
+{
+    for (int k = 0; k < planes->count; k++) {
+        free(planes->plane[k].cells);
+        free(planes->plane[k].lit);
+        free(planes->plane[k].age);
+    }
+    *planes = (struct crt_planes){0};
+}
+
+struct crt_tile crt_planes_place(const struct crt_planes *planes, int tile)
+{
+    struct crt_tile t = {.row = tile / planes->tile_cols * CRT_TILE_ROWS,
+                         .col = tile % planes->tile_cols * CRT_TILE_COLS};
+    t.rows = planes->rows - t.row < CRT_TILE_ROWS ? planes->rows - t.row : CRT_TILE_ROWS;
+    t.cols = planes->cols - t.col < CRT_TILE_COLS ? planes->cols - t.col : CRT_TILE_COLS;
+    return t;
+}
+
+float *crt_planes_tile(struct crt_planes *planes, int k, int tile, uint64_t epoch)
+{
+    struct crt_plane *plane = &planes->plane[k];
+    if (!plane->lit[tile])
+        return NULL;
+    struct crt_tile place = crt_planes_place(planes, tile);
+    float *cells = plane->cells + (size_t)place.row * (size_t)planes->cols + (size_t)place.col;
+    while (plane->age[tile] < epoch) {
+        /* A few at a time, so that a tile left alone for hours stops when it has gone dark. */
+        uint64_t due = epoch - plane->age[tile];
+        unsigned n = due < 64 ? (unsigned)due : 64;
+        plane->age[tile] += n;
+        if (!planes->kernels->age(cells, planes->cols, place.rows, place.cols, plane->factor,
+                                  CRT_STORED_FLOOR, n)) {
+            plane->lit[tile] = 0;
+            return NULL;
+        }
+    }
+    return cells;
+}
+
+void crt_planes_touch(struct crt_planes *planes, int lo, int hi, int left, int right,
+                      uint64_t epoch)
+{
+    int c0 = left / CRT_TILE_COLS, c1 = right / CRT_TILE_COLS;
+    for (int r = lo / CRT_TILE_ROWS; r <= (hi - 1) / CRT_TILE_ROWS; r++)
+        for (int c = c0; c <= c1; c++)
+            for (int k = 0; k < planes->count; k++) {
+                int tile = r * planes->tile_cols + c;
+                struct crt_plane *plane = &planes->plane[k];
+                if (plane->lit[tile] && plane->age[tile] == epoch)
+                    continue;
+                if (!crt_planes_tile(planes, k, tile, epoch)) {
+                    plane->lit[tile] = 1;
+                    plane->age[tile] = epoch;
+                }
+            }
+}

@@ -1,0 +1,135 @@
+#include "crt/tube_table.h"
+
+#include <assert.h>
+#include <math.h>
+#include <string.h>
+
+#include "crt/names.h"
+
+const struct crt_tube_row *crt_tube_row_find(const char *name)
+{
+    size_t n;
+    const struct crt_tube_row *rows = crt_tube_rows(&n);
+    for (size_t i = 0; i < n; i++)
+        if (crt_same_name(rows[i].name, name))
+            return &rows[i];
+    return NULL;
+}
+
+struct crt_figure *crt_tube_figure(struct crt_tube_row *row, const char *name, const char **unit)
+{
+#define X(field, unit_text, meaning)                                                               \
+    if (strcmp(name, #field) == 0) {                                                               \
+        if (unit)                                                                                  \
+            *unit = unit_text;                                                                     \
+        return &row->field;                                                                        \
+    }
+    CRT_TUBE_FIGURES(X)
+#undef X
+    return NULL;
+}
+
+struct crt_screen crt_tube_screen(const struct crt_tube_row *row)
+{
+    return (struct crt_screen){row->width.value, row->height.value, row->units_x.value,
+                               row->units_y.value};
+}
+
+static double cell_of(const struct crt_tube_row *row)
+{
+    return row->spot.value / CRT_WIDTH60_SIGMA;
+}
+
+struct crt_grid crt_tube_grid(const struct crt_tube_row *row)
+{
+    struct crt_screen screen = crt_tube_screen(row);
+    assert(cell_of(row) > 0);
+    struct crt_grid g = crt_grid_cover(&screen, row->border.value, cell_of(row));
+    assert((double)g.cols * g.rows <= CRT_MAX_GRID_CELLS);
+    return g;
+}
+
+/* What a figure can possibly be; outside it is a slip of the pen, not a tube. */
+#define LIMITS(X)                                                                                  \
+    X(width, 1, 2000)                                                                              \
+    X(height, 1, 2000)                                                                             \
+    X(border, 0, 500)                                                                              \
+    X(units_x, 2, 65536)                                                                           \
+    X(units_y, 2, 65536)                                                                           \
+    X(face_radius, 0, 1e6)                                                                         \
+    X(halation, 0, 0.9)                                                                            \
+    X(spot, 0.001, 50)                                                                             \
+    X(spot_growth, 0, 50)                                                                          \
+    X(spot_exponent, 0.01, 10)                                                                     \
+    X(gun_exponent, 0.1, 10)                                                                       \
+    X(drive_low, 0, 1)                                                                             \
+    X(line_luminance, 1e-3, 1e6)                                                                   \
+    X(line_speed, 1e-6, 1e5)                                                                       \
+    X(line_refresh, 1e-3, 1e4)                                                                     \
+    X(sync, 1, 1000)                                                                               \
+    X(fetch, 1e-3, 1e6)                                                                            \
+    X(vector_setup, 0, 1e6)                                                                        \
+    X(vector_unit, 1e-5, 1e6)                                                                      \
+    X(settle, 0, 1e6)                                                                              \
+    X(settle_unit, 0, 1e6)                                                                         \
+    X(settle_max, 0, 1e6)                                                                          \
+    X(point, 1e-3, 1e6)                                                                            \
+    X(character, 1e-3, 1e6)                                                                        \
+    X(dot, 1e-3, 1e6)                                                                              \
+    X(intensify, 1e-3, 1e6)
+
+static bool check_figure(const char *tube, const char *name, const char *unit,
+                         const struct crt_figure *f, double min, double max, struct crt_error *err)
+{
+    if (!(f->value >= min && f->value <= max))
+        return crt_fail(err, "tube %s: %s is %g; it must be between %g and %g %s", tube, name,
+                        f->value, min, max, unit);
+    if (!(f->low <= f->value && f->value <= f->high && f->low >= min && f->high <= max))
+        return crt_fail(err,
+                        "tube %s: the range of %s is %g..%g; it must contain the value %g and "
+                        "stay between %g and %g %s",
+                        tube, name, f->low, f->high, f->value, min, max, unit);
+    return true;
+}
+
+bool crt_tube_check_figure(const struct crt_tube_row *row, const char *name, struct crt_error *err)
+{
+    const char *unit = "";
+    struct crt_tube_row copy = *row;
+    const struct crt_figure *f = crt_tube_figure(&copy, name, &unit);
+#define X(field, min, max)                                                                         \
+    if (strcmp(name, #field) == 0)                                                                 \
+        return check_figure(row->name, name, unit, f, min, max, err);
+    LIMITS(X)
+#undef X
+    return crt_fail(err, "tube %s: there is no figure called %s", row->name, name);
+}
+
+static bool check_grid(const struct crt_tube_row *row, struct crt_error *err)
+{
+    double cell = cell_of(row), border = 2 * row->border.value;
+    double cols = ceil((row->width.value + border) / cell) + 8;
+    double rows = ceil((row->height.value + border) / cell);
+    if (cols * rows <= CRT_MAX_GRID_CELLS)
+        return true;
+    return crt_fail(err,
+                    "tube %s: a spot of %g mm on a screen of %g x %g mm needs %.0f x %.0f cells, "
+                    "more than %d; make the spot larger or the screen smaller",
+                    row->name, row->spot.value, row->width.value + border,
+                    row->height.value + border, cols, rows, CRT_MAX_GRID_CELLS);
+}
+
+bool crt_tube_check(const struct crt_tube_row *row, struct crt_error *err)
+{
+#define X(field, unit, meaning)                                                                    \
+    if (!crt_tube_check_figure(row, #field, err))                                                  \
+        return false;
+    CRT_TUBE_FIGURES(X)
+#undef X
+    if (row->units_x.value != floor(row->units_x.value) ||
+        row->units_y.value != floor(row->units_y.value))
+        return crt_fail(err,
+                        "tube %s: units_x and units_y are %g and %g; they must be whole numbers",
+                        row->name, row->units_x.value, row->units_y.value);
+    return check_grid(row, err);
+}

@@ -1,0 +1,153 @@
+/* run — a program in a window, or headless as fast as the host can. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+#include "emu/command.h"
+#include "emu/show.h"
+#include "emu/trouble.h"
+
+#define HEADLESS_PS (10 * CRT_PS_PER_S)
+
+struct options {
+    bool headless, full_screen;
+    struct vm_time length;
+    struct vm_size size;
+    double scale;
+    const char *roms;
+    struct vm_settings_options settings;
+    struct vm_light_options light;
+    struct vm_input_options input;
+};
+
+#define ROW(field) offsetof(struct options, field)
+
+static const struct vm_option rows[] = {
+    {"headless", 0, VM_OPT_FLAG, ROW(headless), "",
+     "no window and no light: as fast as the host can, for --for T (default 10s)", 0, 0},
+    {"for", 0, VM_OPT_TIME, ROW(length), "T", "end after this much simulated time", 0, 0},
+    {"time-scale", 0, VM_OPT_REAL, ROW(scale), "X",
+     "simulated seconds a second, 1e-6 to 10; F7 and F8 change it", 1e-6, 10},
+    {"size", 0, VM_OPT_SIZE, ROW(size), "WxH", "size of the window; default fits the monitor", 0,
+     0},
+    {"full-screen", 0, VM_OPT_FLAG, ROW(full_screen), "", "begin on the full screen", 0, 0},
+    {"roms", 0, VM_OPT_STRING, ROW(roms), "DIR", "folder with the tour, when no FILE is given", 0,
+     0},
+};
+
+static int fail(int status, const struct crt_error *err)
+{
+    return vm_command_fail(&vm_command_run, status, err);
+}
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static int headless(const struct options *o, const struct vm_settings *settings,
+                    const struct vm_input *input, struct crt_error *err)
+{
+    struct vm_rig rig;
+    uint64_t length = HEADLESS_PS;
+    if (o->length.given && !vm_time_ps(&o->length, settings->tick, &length, err))
+        return VM_EXIT_USAGE;
+    if (!vm_rig_open(&rig, settings, input, DF_TIMING_VALUE, NULL, err))
+        return VM_EXIT_TROUBLE;
+    double begin = seconds();
+    vm_machine_run(rig.machine, length);
+    double took = seconds() - begin, simulated = (double)length / (double)CRT_PS_PER_S;
+    const struct vm_machine *m = rig.machine;
+    fprintf(
+        stderr,
+        "%s: %.6g simulated seconds in %.3g s, %.0f simulated seconds a second; %llu words, %llu "
+        "strokes, %llu refreshes\n",
+        input->name, simulated, took, simulated / (took > 1e-9 ? took : 1e-9),
+        (unsigned long long)m->dpu.words, (unsigned long long)m->strokes,
+        (unsigned long long)m->refresh.number);
+    int status = vm_find_trouble(m, input, err) ? VM_EXIT_TROUBLE : VM_EXIT_OK;
+    vm_rig_close(&rig);
+    return status;
+}
+
+static int run_headless(const struct options *o, const char *path)
+{
+    struct vm_input input;
+    struct vm_settings settings;
+    struct crt_error err;
+    char *report;
+    if (!vm_input_load(&input, path, &o->input, &err, &report)) {
+        if (report)
+            fputs(report, stderr);
+        free(report);
+        return report ? VM_EXIT_TROUBLE : fail(VM_EXIT_TROUBLE, &err);
+    }
+    int status = vm_settings_resolve(&o->settings, input.is_recording ? &input.header : NULL, NULL,
+                                     &settings, &err);
+    if (!status)
+        status = headless(o, &settings, &input, &err);
+    vm_settings_free(&settings);
+    vm_input_free(&input);
+    return status ? fail(status, &err) : status;
+}
+
+static int run_window(const struct options *o, const char *path)
+{
+    struct vm_settings settings;
+    struct crt_glass_settings light;
+    struct crt_error err;
+    /* Options are checked before a window appears. */
+    int status = vm_settings_resolve(&o->settings, NULL, NULL, &settings, &err);
+    if (!status)
+        status = vm_light_settings(&o->light, &settings, &light, &err);
+    vm_settings_free(&settings);
+    if (status)
+        return fail(status, &err);
+    const struct vm_show_desc desc = {.path = path,
+                                      .roms = o->roms,
+                                      .settings = &o->settings,
+                                      .input = &o->input,
+                                      .light = &o->light,
+                                      .size = o->size,
+                                      .full_screen = o->full_screen,
+                                      .scale = o->scale,
+                                      .length = o->length};
+    status = vm_show(&desc, &err);
+    return status && err.text[0] ? fail(status, &err) : status;
+}
+
+static int run(int argc, char **argv)
+{
+    struct options o = {.scale = 1, .light = {.room = -1}};
+    const struct vm_option_table tables[] = {
+        VM_OPTION_TABLE(rows, &o), VM_OPTION_TABLE(vm_light_rows, &o.light),
+        VM_OPTION_TABLE(vm_settings_rows, &o.settings), VM_OPTION_TABLE(vm_input_rows, &o.input)};
+    struct vm_args args;
+    struct crt_error err;
+    int status = vm_command_parse(&vm_command_run, tables, sizeof tables / sizeof *tables, argc,
+                                  argv, &args, 0, 1);
+    if (status >= 0)
+        return status;
+    const char *path = args.count ? args.item[0] : NULL;
+    if (!o.headless)
+        return run_window(&o, path);
+    if (path)
+        return run_headless(&o, path);
+    crt_fail(&err, "--headless needs a FILE; the tour is for a window");
+    return fail(VM_EXIT_USAGE, &err);
+}
+
+const struct vm_command vm_command_run = {
+    "run",
+    "[FILE]",
+    "Show a program in a window; without FILE a tour",
+    "F1 in the window shows the keys. Every key except F1 to F12 and those held with Right Ctrl "
+    "belongs "
+    "to the\nprogram. A file that changes is loaded again; a file dropped on the window is shown.",
+    "  kinescope run\n"
+    "  kinescope run star.df --tube VR14 --time-scale 0.001\n"
+    "  kinescope run star.df --headless --for 60s",
+    run,
+};

@@ -1,0 +1,49 @@
+/* hud.h — text over the glass: a status line at the bottom, messages that fade, the help panel.
+ *
+ *      status, help, messages ─▶ vm_hud_draw (CPU, glyphs.h dots) ─▶ RGBA ─▶ crt_glass_overlay
+ *
+ * Models:     nothing. Text is set in the character generator's own dots, each dot a square of an
+ *             integer number of window pixels, chosen from the window's size: 2 for 800 × 800,
+ *             4 for 3840 × 2160. The help takes smaller dots where it would not fit.
+ * Units:      window pixels; seconds for messages.
+ * Text:       ASCII; '\n' ends a line. Other bytes show as a filled block. All wrap between
+ *             words; what still does not fit is cut and ends in "...".
+ * Ownership:  vm_hud_create allocates, vm_hud_destroy frees; texts are copied. The pixels
+ *             vm_hud_draw returns are the hud's, valid until the next call of it.
+ * Errors:     out of memory gives a sentence at creation, later no overlay.
+ */
+#ifndef VM_HUD_H
+#define VM_HUD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "crt/error.h"
+
+struct vm_hud;
+
+struct vm_hud *vm_hud_create(struct crt_error *err);
+void vm_hud_destroy(struct vm_hud *hud);
+
+/* The status line; "" or NULL hides it. */
+void vm_hud_status(struct vm_hud *hud, const char *text);
+
+/* A message above the status line from `now` for `seconds`, the last of them fading; it replaces
+ * the one before. */
+void vm_hud_message(struct vm_hud *hud, const char *text, double now, double seconds);
+
+/* The help panel. A line "KEY\tmeaning" is set in two columns, a line without a tab is a heading.
+ */
+void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_t line_count);
+bool vm_hud_help_shown(const struct vm_hud *hud);
+
+/* The colour of the text, 0…255 sRGB: the tube's phosphor. Mixed with white until it is legible. */
+void vm_hud_tint(struct vm_hud *hud, int red, int green, int blue);
+
+/* The overlay for a window of width × height at time `now`: straight alpha RGBA, top row first;
+ * NULL when there is nothing to show. *changed tells whether it differs from the last call's: only
+ * then need crt_glass_overlay be called. */
+const uint8_t *vm_hud_draw(struct vm_hud *hud, int width, int height, double now, bool *changed);
+
+#endif

@@ -1,0 +1,237 @@
+#include "emu/input_file.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <sys/stat.h>
+
+#include "display_file/asm.h"
+#include "display_file/loaders.h"
+
+#define MAX_FILE (64L * 1024 * 1024)
+
+const struct vm_option vm_input_rows[VM_INPUT_ROWS] = {
+    {"base", 0, VM_OPT_OCTAL, offsetof(struct vm_input_options, base), "OCTAL",
+     "FILE is a raw memory image of little-endian words; place it at this address", 0, 0},
+    {"start", 0, VM_OPT_OCTAL, offsetof(struct vm_input_options, start), "OCTAL",
+     "where a raw image starts; default its base", 0, 0},
+};
+
+char *vm_read_file(const char *path, size_t *length, struct crt_error *err)
+{
+    struct stat status;
+    FILE *file = fopen(path, "rb");
+    char *bytes = NULL;
+    if (!file) {
+        crt_fail(err, "%.300s cannot be opened: %s", path, strerror(errno));
+        return NULL;
+    }
+    if (fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode))
+        crt_fail(err, "%.300s is not a regular file; give the name of a program", path);
+    else if (status.st_size > MAX_FILE)
+        crt_fail(err, "%.300s has %lld bytes; at most %ld are read", path,
+                 (long long)status.st_size, MAX_FILE);
+    else if (!(bytes = malloc((size_t)status.st_size + 1)))
+        crt_fail(err, "%.300s does not fit into memory", path);
+    if (bytes) {
+        *length = fread(bytes, 1, (size_t)status.st_size, file);
+        bytes[*length] = '\0';
+        if (ferror(file)) {
+            crt_fail(err, "%.300s cannot be read: %s", path, strerror(errno));
+            free(bytes);
+            bytes = NULL;
+        }
+    }
+    fclose(file);
+    return bytes;
+}
+
+void vm_base_name(const char *path, char *name, size_t size)
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(name, size, "%s", slash ? slash + 1 : path);
+    for (char *p = name; *p; p++)
+        if (*p < ' ' || *p > '~')
+            *p = '?';
+}
+
+/* ---- kinds of file ------------------------------------------------------------------------------
+ */
+
+static bool load_source(struct vm_input *in, const char *path, struct crt_error *err, char **report)
+{
+    static const struct df_asm_options options = {false};
+    struct df_asm_report all = {0};
+    bool ok = df_assemble_file(path, &options, &in->program, &all);
+    if (!ok) {
+        const char *text = all.text && *all.text ? all.text : "it cannot be assembled";
+        crt_fail(err, "%.*s", (int)strcspn(text, "\n"), text);
+        if (report) {
+            *report = all.text;
+            all.text = NULL;
+        }
+    }
+    df_asm_report_free(&all);
+    return ok;
+}
+
+static bool add_stroke(struct vm_input *in, size_t *room, const struct crt_stroke *stroke)
+{
+    if (in->count == *room) {
+        size_t more = *room ? *room * 2 : 4096;
+        struct crt_stroke *grown = realloc(in->strokes, more * sizeof *grown);
+        if (!grown)
+            return false;
+        in->strokes = grown;
+        *room = more;
+    }
+    in->strokes[in->count++] = *stroke;
+    return true;
+}
+
+static bool load_recording(struct vm_input *in, const char *path, struct crt_error *err)
+{
+    struct crt_beam_reader *reader = crt_beam_open(path, &in->header, err);
+    struct crt_stroke stroke;
+    size_t room = 0;
+    int more = 0;
+    if (!reader)
+        return false;
+    in->is_recording = true;
+    while ((more = crt_beam_next(reader, &stroke, err)) > 0)
+        if (!add_stroke(in, &room, &stroke)) {
+            crt_fail(err, "%.300s has more strokes than fit into memory", path);
+            more = -1;
+            break;
+        }
+    in->header.end = crt_beam_end(reader);
+    crt_beam_close(reader);
+    if (more == 0 && in->count == 0)
+        return crt_fail(err, "%.300s holds no strokes; a recording needs at least one", path);
+    if (more == 0 && in->strokes[in->count - 1].t1 > VM_TIME_MAX_PS)
+        return crt_fail(err, "%.300s is longer than one hour", path);
+    return more == 0;
+}
+
+static bool load_bytes(struct vm_input *in, const char *path, const char *kind,
+                       const struct vm_input_options *o, struct crt_error *err)
+{
+    size_t length = 0;
+    char *bytes = vm_read_file(path, &length, err);
+    bool ok = false;
+    if (!bytes)
+        return false;
+    if (strcmp(kind, "oct") == 0)
+        ok = df_load_oct(path, bytes, length, &in->program, err);
+    else if (strcmp(kind, "lda") == 0)
+        ok = df_load_lda(path, (const uint8_t *)bytes, length, &in->program, err);
+    else
+        ok = df_load_raw(path, (const uint8_t *)bytes, length, o->base.value,
+                         o->start.given ? o->start.value : o->base.value, &in->program, err);
+    free(bytes);
+    return ok;
+}
+
+/* ---- telling them apart -------------------------------------------------------------------------
+ */
+
+/* The kind by the name's ending; for names without a known one, by the first bytes; NULL: unknown.
+ */
+static const char *kind_of(const char *path)
+{
+    static const char *const endings[] = {"df", "oct", "lda", "beam", "elf"};
+    const char *dot = strrchr(path, '.'), *slash = strrchr(path, '/');
+    unsigned char head[8] = {0};
+    if (dot && (!slash || dot > slash))
+        for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+            if (strcasecmp(dot + 1, endings[i]) == 0)
+                return endings[i];
+    FILE *file = fopen(path, "rb");
+    size_t n = file ? fread(head, 1, sizeof head, file) : 0;
+    if (file)
+        fclose(file);
+    if (n >= 5 && memcmp(head, "beam ", 5) == 0)
+        return "beam";
+    if (n >= 4 && memcmp(head, "\177ELF", 4) == 0)
+        return "elf";
+    if (n >= 2 && head[0] == 1 && head[1] == 0)
+        return "lda";
+    return NULL;
+}
+
+/* Whatever opens the file later must not wait for a pipe or read a device for ever. */
+static bool is_regular(const char *path, struct crt_error *err)
+{
+    struct stat status;
+    if (stat(path, &status) != 0)
+        return crt_fail(err, "%.300s cannot be opened: %s", path, strerror(errno));
+    if (S_ISDIR(status.st_mode))
+        return crt_fail(err, "%.300s is a directory; give the name of a program", path);
+    if (!S_ISREG(status.st_mode))
+        return crt_fail(err, "%.300s is not a regular file; give the name of a program", path);
+    return true;
+}
+
+static bool unknown_kind(const char *path, struct crt_error *err)
+{
+    return crt_fail(
+        err,
+        "%.300s is of no known kind; kinescope reads .df source, .oct words, .lda tapes, "
+        ".beam recordings, and raw memory images with --base",
+        path);
+}
+
+bool vm_input_load(struct vm_input *in, const char *path, const struct vm_input_options *options,
+                   struct crt_error *err, char **report)
+{
+    bool raw = options->base.given || options->start.given;
+    bool ok = false;
+    memset(in, 0, sizeof *in);
+    if (report)
+        *report = NULL;
+    if (!is_regular(path, err))
+        return false;
+    const char *kind = kind_of(path);
+    vm_base_name(path, in->name, sizeof in->name);
+    if (!kind && raw)
+        ok = load_bytes(in, path, "raw", options, err);
+    else if (!kind)
+        ok = unknown_kind(path, err);
+    else if (raw)
+        ok = crt_fail(err,
+                      "%.300s is no raw memory image but a .%s file; leave out --base and --start",
+                      path, kind);
+    else if (strcmp(kind, "elf") == 0)
+        ok = crt_fail(
+            err,
+            "%.300s is an ELF program, but this machine has no processor yet; give a display "
+            "file (.df, .oct, .lda)",
+            path);
+    else if (strcmp(kind, "df") == 0)
+        ok = load_source(in, path, err, report);
+    else if (strcmp(kind, "beam") == 0)
+        ok = load_recording(in, path, err);
+    else
+        ok = load_bytes(in, path, kind, options, err);
+    if (!ok)
+        vm_input_free(in);
+    return ok;
+}
+
+void vm_input_free(struct vm_input *in)
+{
+    df_program_free(&in->program);
+    free(in->strokes);
+    in->strokes = NULL;
+    in->count = 0;
+}
+
+bool vm_input_insert(const struct vm_input *in, struct vm_machine *m, struct crt_error *err)
+{
+    if (!in->is_recording)
+        return vm_machine_load(m, &in->program, in->name, err);
+    vm_machine_play(m, (struct vm_recording){in->strokes, in->count});
+    return true;
+}

@@ -1,0 +1,46 @@
+/* input_file.h — what kinescope can be given to show: programs and recordings, told apart.
+ *
+ *      .df source   .oct words   .lda DEC absolute tape   raw image (--base) ─▶ program
+ *      .beam recording                                                      ─▶ strokes
+ *
+ * Ownership:  vm_input_free releases what vm_input_load allocated.
+ * Errors:     one sentence; for source with errors `report` also holds all of them (malloced, else
+ *             NULL).
+ */
+#ifndef EMU_INPUT_FILE_H
+#define EMU_INPUT_FILE_H
+
+#include "crt/beam_file.h"
+#include "display_file/program.h"
+#include "emu/machine.h"
+#include "emu/options.h"
+
+struct vm_input_options {
+    struct vm_octal base, start; /* of a raw image */
+};
+
+#define VM_INPUT_ROWS 2
+extern const struct vm_option vm_input_rows[VM_INPUT_ROWS];
+
+struct vm_input {
+    bool is_recording;
+    char name[64]; /* the file's base name, printable */
+    struct df_program program;
+    struct crt_beam_header header;
+    struct crt_stroke *strokes;
+    size_t count;
+};
+
+bool vm_input_load(struct vm_input *input, const char *path, const struct vm_input_options *options,
+                   struct crt_error *err, char **report);
+void vm_input_free(struct vm_input *input);
+
+/* Loads it into a machine: words and entry, or the recording. */
+bool vm_input_insert(const struct vm_input *input, struct vm_machine *m, struct crt_error *err);
+
+/* A file's bytes, malloced, with a NUL after them; NULL and a sentence. */
+char *vm_read_file(const char *path, size_t *length, struct crt_error *err);
+/* The part after the last '/', with what is not printable ASCII shown as '?'. */
+void vm_base_name(const char *path, char *name, size_t size);
+
+#endif

@@ -1,0 +1,129 @@
+#include "emu/moment.h"
+
+#include <string.h>
+
+#include "emu/trouble.h"
+
+#define ROW(field) offsetof(struct vm_moment_options, field)
+
+#define SETTLED_PS                                                                                 \
+    (CRT_PS_PER_S / 2) /* the default picture is of a refresh that begins here or later */
+#define PATIENCE_PS (10 * CRT_PS_PER_S) /* how long the default picture waits for one */
+#define TIMEOUT_PS  (60 * CRT_PS_PER_S)
+
+const struct vm_option vm_moment_rows[VM_MOMENT_ROWS] = {
+    {"at", 0, VM_OPT_TIME, ROW(at), "T", "the moment of the picture: 16.7ms, 0.5s, 3f (sync ticks)",
+     0, 0},
+    {"when", 0, VM_OPT_STRING, ROW(when), "EVENT",
+     "stop:N or refresh:N, the end of the N-th stop word or refresh; default: the end of the first "
+     "complete refresh after 0.5 s",
+     0, 0},
+    {"timeout", 0, VM_OPT_TIME, ROW(timeout), "T",
+     "give up, with status 3, when --when has not come by then; default 60s", 0, 0},
+};
+
+enum event { EVENT_STOP, EVENT_REFRESH };
+
+static bool parse_event(const char *text, enum event *event, long *number, struct crt_error *err)
+{
+    struct crt_error why;
+    size_t n = strcspn(text, ":");
+    if (strncmp(text, "console:", 8) == 0 || strncmp(text, "mark:", 5) == 0)
+        return crt_fail(err,
+                        "--when %.*s needs a processor with firmware, which this machine does not "
+                        "have yet; use stop:N or refresh:N",
+                        (int)n, text);
+    if (strncmp(text, "stop:", 5) == 0)
+        *event = EVENT_STOP;
+    else if (strncmp(text, "refresh:", 8) == 0)
+        *event = EVENT_REFRESH;
+    else
+        return crt_fail(err, "--when: '%.60s' is not an event; use stop:N or refresh:N", text);
+    if (!vm_parse_integer(text + n + 1, 1, 1000000000, number, &why))
+        return crt_fail(err, "--when: %.400s", why.text);
+    return true;
+}
+
+static int find_event(struct vm_machine *m, const char *when, uint64_t timeout, uint64_t *moment,
+                      struct crt_error *err)
+{
+    enum event event;
+    long number;
+    char text[32];
+    bool found = true;
+    if (!parse_event(when, &event, &number, err))
+        return 2;
+    for (long i = 0; i < number && found; i++)
+        found = event == EVENT_STOP ? vm_machine_run_stop(m, timeout)
+                                    : vm_machine_run_refresh(m, timeout);
+    *moment = m->now;
+    if (found && m->now <= timeout)
+        return 0;
+    vm_format_time(timeout, text, sizeof text);
+    crt_fail(err, "%.60s has not come within %s of simulated time; --timeout allows more", when,
+             text);
+    return 3;
+}
+
+/* The first complete refresh once things have settled; a program that never completes one is shown
+ * when they have. */
+static int find_refresh(struct vm_machine *m, const struct vm_time *timeout, uint64_t limit,
+                        uint64_t *moment, struct crt_error *err)
+{
+    char text[32];
+    *moment = SETTLED_PS;
+    while (vm_machine_run_refresh(m, limit))
+        if (m->refresh.begin >= SETTLED_PS) {
+            *moment = m->refresh.end;
+            return 0;
+        }
+    if (!timeout->given)
+        return 0;
+    vm_format_time(limit, text, sizeof text);
+    crt_fail(err,
+             "no refresh is complete between 0.5 s and %s of simulated time; --timeout allows more",
+             text);
+    return 3;
+}
+
+static uint64_t end_of_recording(const struct vm_input *input)
+{
+    return input->header.end ? input->header.end : input->strokes[input->count - 1].t1;
+}
+
+int vm_moment_find(struct vm_rig *rig, const struct vm_moment_options *o,
+                   const struct vm_settings *settings, const struct vm_input *input,
+                   uint64_t *moment, struct crt_error *err)
+{
+    struct vm_machine *m = rig->machine;
+    uint64_t timeout = TIMEOUT_PS;
+    int status = 0;
+    if (o->at.given && o->when) {
+        crt_fail(err, "--at and --when exclude each other");
+        return 2;
+    }
+    if (o->timeout.given && !vm_time_ps(&o->timeout, settings->tick, &timeout, err))
+        return 2;
+    if (o->when && input->is_recording) {
+        crt_fail(err,
+                 "--when is for programs; a recording has neither stops nor refreshes: use --at");
+        return 2;
+    }
+    if (o->at.given) {
+        if (!vm_time_ps(&o->at, settings->tick, moment, err))
+            return 2;
+    } else if (input->is_recording) {
+        *moment = end_of_recording(input);
+    } else if (o->when) {
+        status = find_event(m, o->when, timeout, moment, err);
+    } else {
+        status = find_refresh(m, &o->timeout, o->timeout.given ? timeout : SETTLED_PS + PATIENCE_PS,
+                              moment, err);
+    }
+    if (status == 0 && *moment == 0) {
+        crt_fail(err, "at power-on no light has been gathered yet; give a time above zero");
+        return 2;
+    }
+    vm_machine_run(m, *moment);
+    return status;
+}

@@ -1,0 +1,24 @@
+/* rig.h — a machine with its program and, when somebody looks, its tube: made and freed together.
+ *
+ * Ownership:  vm_rig_open allocates, vm_rig_close frees; settings and input must outlive the rig.
+ * Errors:     one sentence.
+ */
+#ifndef EMU_RIG_H
+#define EMU_RIG_H
+
+#include "emu/input_file.h"
+#include "emu/machine.h"
+#include "emu/settings.h"
+
+struct vm_rig {
+    struct vm_machine *machine;
+    struct crt_tube *tube; /* NULL: nobody looks */
+};
+
+/* `tube` may be NULL: then no light is computed. */
+bool vm_rig_open(struct vm_rig *rig, const struct vm_settings *settings,
+                 const struct vm_input *input, enum df_timing_choice timing,
+                 const struct crt_tube_desc *tube, struct crt_error *err);
+void vm_rig_close(struct vm_rig *rig);
+
+#endif

@@ -1,0 +1,105 @@
+#include "emu/roms.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#define TOUR "tour.txt"
+
+static bool has_tour(const char *folder)
+{
+    char path[4096 + 16];
+    snprintf(path, sizeof path, "%s/" TOUR, folder);
+    return access(path, R_OK) == 0;
+}
+
+/* The folder of the running command, without the last '/'; "" when it cannot be told. */
+static void command_folder(char *folder, size_t size)
+{
+    ssize_t n = readlink("/proc/self/exe", folder, size - 1);
+    folder[n > 0 ? n : 0] = '\0';
+    char *slash = strrchr(folder, '/');
+    if (slash)
+        *slash = '\0';
+}
+
+static bool look_for(char *found, size_t size)
+{
+    static const char *const places[] = {"roms", "../../roms", "../share/kinescope/roms"};
+    char folder[2048];
+    command_folder(folder, sizeof folder);
+    for (size_t i = 0; *folder && i < sizeof places / sizeof *places; i++) {
+        snprintf(found, size, "%s/%s", folder, places[i]);
+        if (has_tour(found))
+            return true;
+    }
+    snprintf(found, size, "roms");
+    return has_tour(found);
+}
+
+/* Copies the next word of `*line` and steps over it. */
+static bool take_word(const char **line, char *word, size_t size)
+{
+    const char *p = *line + strspn(*line, " \t");
+    size_t n = strcspn(p, " \t\r\n");
+    if (n == 0 || n >= size)
+        return false;
+    memcpy(word, p, n);
+    word[n] = '\0';
+    *line = p + n;
+    return true;
+}
+
+static bool read_line(struct vm_roms *roms, const char *line, const char *path, int number,
+                      struct crt_error *err)
+{
+    const char *p = line + strspn(line, " \t\r\n");
+    struct vm_rom rom;
+    if (*p == '\0' || *p == '#')
+        return true;
+    if (!take_word(&p, rom.file, sizeof rom.file) || !take_word(&p, rom.tube, sizeof rom.tube))
+        return crt_fail(err, "%.300s:%d: a line of the tour is FILE TUBE CAPTION", path, number);
+    if (strchr(rom.file, '/'))
+        return crt_fail(err, "%.300s:%d: '%.60s' must be a file in the same folder", path, number,
+                        rom.file);
+    if (roms->count == VM_TOUR_MAX)
+        return crt_fail(err, "%.300s:%d: a tour has at most %d programs", path, number,
+                        VM_TOUR_MAX);
+    if (strcmp(rom.tube, "-") == 0)
+        rom.tube[0] = '\0';
+    p += strspn(p, " \t");
+    snprintf(rom.caption, sizeof rom.caption, "%.*s", (int)strcspn(p, "\r\n"), p);
+    roms->rom[roms->count++] = rom;
+    return true;
+}
+
+bool vm_roms_find(struct vm_roms *roms, const char *folder, struct crt_error *err)
+{
+    char path[4096 + 16], line[512];
+    bool ok = true;
+    memset(roms, 0, sizeof *roms);
+    if (folder)
+        snprintf(roms->folder, sizeof roms->folder, "%s", folder);
+    else if (!look_for(roms->folder, sizeof roms->folder))
+        return crt_fail(err, "the folder roms/ with " TOUR
+                             " is not found; give --roms DIR, or the name of "
+                             "a program");
+    snprintf(path, sizeof path, "%s/" TOUR, roms->folder);
+    FILE *file = fopen(path, "r");
+    if (!file)
+        return crt_fail(err, "%.300s cannot be opened: %s", path, strerror(errno));
+    for (int number = 1; ok && fgets(line, sizeof line, file); number++)
+        ok = read_line(roms, line, path, number, err);
+    fclose(file);
+    if (ok && roms->count == 0)
+        return crt_fail(err, "%.300s names no programs", path);
+    return ok;
+}
+
+bool vm_roms_path(const struct vm_roms *roms, int i, char *path, unsigned long size)
+{
+    int n = snprintf(path, size, "%s/%s", roms->folder, roms->rom[i].file);
+    return n > 0 && (unsigned long)n < size;
+}

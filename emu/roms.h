@@ -1,0 +1,37 @@
+/* roms.h — the programs that come with kinescope, and the tour through them.
+ *
+ * tour.txt in the folder has one program a line; '#' starts a comment:
+ *
+ *      FILE TUBE Caption to the end of the line
+ *      rose.df VR17 A rose drawn by short vectors
+ *
+ * A tube of - means the default. Where the folder is: --roms DIR, else roms/ beside the command,
+ * two folders above it (where it is built), in ../share/kinescope/, or in the current folder.
+ * Ownership:  plain value; at most VM_TOUR_MAX programs.
+ * Errors:     one sentence with file and line.
+ */
+#ifndef EMU_ROMS_H
+#define EMU_ROMS_H
+
+#include <stdbool.h>
+
+#include "crt/error.h"
+
+#define VM_TOUR_MAX 64
+
+struct vm_rom {
+    char file[64], tube[24], caption[160];
+};
+
+struct vm_roms {
+    char folder[4096];
+    struct vm_rom rom[VM_TOUR_MAX];
+    int count;
+};
+
+/* `folder` may be NULL: it is looked for. */
+bool vm_roms_find(struct vm_roms *roms, const char *folder, struct crt_error *err);
+/* The path of rom `i`. */
+bool vm_roms_path(const struct vm_roms *roms, int i, char *path, unsigned long size);
+
+#endif

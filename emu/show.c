@@ -1,0 +1,224 @@
+#include "emu/show.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "emu/command.h"
+#include "emu/trouble.h"
+
+#define LONGEST_FRAME_S 0.05 /* a late frame does not make the machine hurry after it */
+#define IDLE_S          0.05 /* how long a paused window sleeps between looks at the file */
+#define POLL_S          0.3
+#define ROM_S           12.0
+
+void vm_show_say(struct vm_show *show, const char *text)
+{
+    vm_hud_message(show->hud, text, vm_window_time(), 4);
+}
+
+/* ---- pace ---------------------------------------------------------------------------------------
+ */
+
+/* Host seconds this frame stands for. */
+static double frame_seconds(struct vm_show *show, double now)
+{
+    double elapsed = fmin(fmax(now - show->last_time, 0), LONGEST_FRAME_S);
+    double hz = vm_window_refresh_hz(show->window);
+    double frame = hz > 0 ? 1 / hz
+                          : (double)show->program->settings.tick.den /
+                                (double)show->program->settings.tick.num;
+    double whole = round(elapsed / frame);
+    show->last_time = now;
+    if (whole >= 1 && fabs(elapsed - whole * frame) < frame / 3)
+        return whole * frame;
+    return elapsed;
+}
+
+/* Runs the machine to `until` with the film open. */
+static void expose(struct vm_show *show, uint64_t until)
+{
+    struct vm_machine *m = show->program->rig.machine;
+    if (until <= m->now)
+        return;
+    crt_film_open(show->program->rig.tube, &show->program->film, m->now, until);
+    vm_machine_run(m, until);
+    crt_glass_film(show->glass, &show->program->film, &show->program->settings.phosphor);
+    show->film_ready = true;
+}
+
+/* When the next refresh is complete, found on a copy of the machine that has no tube. */
+static uint64_t next_refresh(const struct vm_show *show)
+{
+    const struct vm_machine *m = show->program->rig.machine;
+    uint64_t tick = m->now + crt_tick_time(show->program->settings.tick, 1), end = tick;
+    struct vm_machine *copy = malloc(sizeof *copy);
+    if (!copy)
+        return tick;
+    vm_machine_copy(copy, m);
+    if (vm_machine_run_refresh(copy, m->now + CRT_PS_PER_S))
+        end = copy->now;
+    free(copy);
+    return end;
+}
+
+/* Runs to the tick that starts the processor again, if it is not running. */
+static void skip_idle(struct vm_show *show)
+{
+    const struct vm_machine *m = show->program->rig.machine;
+    for (int ticks = 0; ticks < 100 && m->has_program && m->dpu.state != DF_RUNNING; ticks++)
+        expose(show, m->tick_time + 1);
+}
+
+static void run_frame(struct vm_show *show, double now)
+{
+    struct vm_machine *m = show->program->rig.machine;
+    double seconds = frame_seconds(show, now);
+    if (show->skip) {
+        show->skip = false;
+        skip_idle(show);
+    } else if (show->step) {
+        show->step = false;
+        /* A refresh that has begun is finished first, so that a whole one is seen. */
+        if (m->in_refresh && m->current.begin < m->now)
+            vm_machine_run_refresh(m, m->now + CRT_PS_PER_S);
+        expose(show, next_refresh(show));
+    } else if (!show->paused) {
+        double ps = seconds * show->scale * (double)CRT_PS_PER_S + show->remainder_ps;
+        uint64_t whole = (uint64_t)ps;
+        show->remainder_ps = ps - (double)whole;
+        expose(show, m->now + whole);
+    }
+    uint64_t length;
+    struct crt_error err;
+    if (show->desc->length.given &&
+        vm_time_ps(&show->desc->length, show->program->settings.tick, &length, &err) &&
+        m->now >= length)
+        show->quit = true;
+}
+
+/* ---- the picture --------------------------------------------------------------------------------
+ */
+
+static void draw(struct vm_show *show, double now)
+{
+    int width, height;
+    bool changed;
+    vm_window_size(show->window, &width, &height);
+    if (width <= 0 || height <= 0)
+        return;
+    const uint8_t *overlay = vm_hud_draw(show->hud, width, height, now, &changed);
+    if (changed)
+        crt_glass_overlay(show->glass, overlay, width, height);
+    crt_glass_draw(show->glass, &show->program->light, 0, width, height);
+    vm_window_swap(show->window);
+}
+
+static void look_after_program(struct vm_show *show, double now)
+{
+    struct crt_error err;
+    if (now - show->poll_since >= POLL_S) {
+        show->poll_since = now;
+        vm_show_reload(show, false);
+    }
+    if (show->touring && !show->paused && now - show->rom_since >= ROM_S &&
+        !vm_show_tour(show, 1, &err))
+        vm_show_say(show, err.text);
+    if (!show->trouble_shown && show->program->rig.machine->now >= CRT_PS_PER_S / 2) {
+        show->trouble_shown = true;
+        if (vm_find_trouble(show->program->rig.machine, &show->program->input, &err))
+            vm_hud_message(show->hud, err.text, now, 10);
+    }
+}
+
+static void loop(struct vm_show *show)
+{
+    struct vm_event event;
+    while (!show->quit) {
+        int width, height;
+        vm_window_size(show->window, &width, &height);
+        if (show->paused || width <= 0)
+            vm_window_wait(show->window, IDLE_S);
+        else
+            vm_window_poll(show->window);
+        while (vm_window_next(show->window, &event))
+            vm_show_event(show, &event);
+        double now = vm_window_time();
+        look_after_program(show, now);
+        run_frame(show, now);
+        vm_show_status(show, now);
+        draw(show, now);
+    }
+}
+
+/* ---- set-up -------------------------------------------------------------------------------------
+ */
+
+static bool open_all(struct vm_show *show, struct crt_error *err)
+{
+    const struct vm_show_desc *d = show->desc;
+    show->window = vm_window_open(d->size.width, d->size.height, "kinescope", err);
+    if (!show->window)
+        return false;
+    show->glass = crt_glass_create(vm_window_loader(show->window), err);
+    if (!show->glass)
+        return false;
+    show->hud = vm_hud_create(err);
+    if (!show->hud)
+        return false;
+    if (d->full_screen)
+        vm_window_set_full_screen(show->window, true);
+    return true;
+}
+
+static void close_all(struct vm_show *show)
+{
+    vm_show_close(show->program);
+    if (show->hud)
+        vm_hud_destroy(show->hud);
+    if (show->glass)
+        crt_glass_destroy(show->glass);
+    if (show->window)
+        vm_window_close(show->window);
+}
+
+/* What is wrong with the program is said before a window appears. */
+static bool check_program(const struct vm_show_desc *d, struct crt_error *err)
+{
+    struct vm_input input;
+    char *report;
+    if (vm_input_load(&input, d->path, d->input, err, &report)) {
+        vm_input_free(&input);
+        return true;
+    }
+    if (report)
+        fputs(report, stderr);
+    free(report);
+    return false;
+}
+
+int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
+{
+    struct vm_show *show = calloc(1, sizeof *show);
+    bool ok = show != NULL || crt_fail(err, "not enough memory for the window");
+    if (ok) {
+        show->desc = desc;
+        show->scale = desc->scale;
+        show->rom = -1;
+        show->touring = desc->path == NULL;
+        ok = show->touring ? vm_roms_find(&show->roms, desc->roms, err) : check_program(desc, err);
+    }
+    ok = ok && open_all(show, err);
+    if (ok)
+        ok = show->touring ? vm_show_tour(show, 1, err) : vm_show_open(show, desc->path, NULL, err);
+    if (ok) {
+        vm_show_say(show, "F1 help");
+        show->last_time = vm_window_time();
+        loop(show);
+    }
+    if (show)
+        close_all(show);
+    free(show);
+    return ok ? VM_EXIT_OK : VM_EXIT_TROUBLE;
+}

@@ -1,0 +1,97 @@
+/* show.h — a program in a window: real time or slowed, with knobs, help and a status line.
+ *
+ *      host clock ─▶ pace ─▶ machine ─▶ tube ─▶ film of this frame ─▶ glass ─▶ window
+ *      events ─▶ keys (show_keys.c) ─▶ pause, scale, knobs, program ─┘      hud ┘
+ *
+ * Time:       each host frame the machine runs to T + min(elapsed, 50 ms) × scale and the film
+ *             gathers exactly that time. An elapsed time within a third of a frame interval of a
+ *             whole number of them counts as that number: exposures of a steady display are equal.
+ * Ownership:  vm_show does all in one call.
+ * Errors:     an exit status and one sentence. Trouble with a program is shown on the glass; it
+ *             does not end the show.
+ */
+#ifndef EMU_SHOW_H
+#define EMU_SHOW_H
+
+#include "emu/hud.h"
+#include "emu/picture.h"
+#include "emu/rig.h"
+#include "emu/roms.h"
+#include "emu/window.h"
+
+struct vm_show_desc {
+    const char *path; /* NULL: the tour */
+    const char *roms; /* folder of the tour, NULL: look for it */
+    const struct vm_settings_options *settings;
+    const struct vm_input_options *input;
+    const struct vm_light_options *light;
+    struct vm_size size; /* 0: fits the monitor */
+    bool full_screen;
+    double scale;          /* simulated seconds a second */
+    struct vm_time length; /* close after this much simulated time, when given */
+};
+
+int vm_show(const struct vm_show_desc *desc, struct crt_error *err);
+
+/* ---- shared by the files of the show; nobody else uses what follows ----------------------- */
+
+enum vm_knob { VM_KNOB_BRIGHTNESS, VM_KNOB_CONTRAST, VM_KNOB_FOCUS };
+
+/* What belongs to one program; its parts point at each other, so it stays where it was made. */
+struct vm_shown {
+    struct vm_input input;
+    struct vm_settings settings;
+    struct crt_glass_settings light;
+    struct vm_rig rig;
+    struct crt_film film;
+};
+
+struct vm_show {
+    const struct vm_show_desc *desc;
+    struct vm_window *window;
+    struct crt_glass *glass;
+    struct vm_hud *hud;
+
+    /* The program (show_program.c). */
+    struct vm_shown *program;
+    char path[4096];
+    long long changed_s, changed_ns; /* when the file was last written */
+    bool film_ready;
+
+    /* The tour. */
+    struct vm_roms roms;
+    bool touring;
+    int rom;
+    double rom_since; /* host time */
+
+    /* Pace. */
+    double scale, remainder_ps, last_time;
+    bool paused, step, skip, quit;
+    double speed, speed_since; /* measured: simulated seconds a second */
+    uint64_t speed_from;
+
+    struct crt_knobs knobs;
+    enum vm_knob knob;
+    bool knobs_touched;
+
+    /* Status line. */
+    double status_since, poll_since;
+    uint64_t rate_number, rate_end;
+    double rate_hz;
+    bool trouble_shown;
+    int shots;
+};
+
+/* Shows `path` in place of what is shown; keeps the old one and says why when it cannot. `tube` may
+ * be NULL. */
+bool vm_show_open(struct vm_show *show, const char *path, const char *tube, struct crt_error *err);
+void vm_show_close(struct vm_shown *program);
+/* Loads the file again when it has changed (or `force`), without disturbing time or phosphor. */
+void vm_show_reload(struct vm_show *show, bool force);
+bool vm_show_tour(struct vm_show *show, int step, struct crt_error *err);
+
+void vm_show_event(struct vm_show *show, const struct vm_event *event);
+void vm_show_status(struct vm_show *show, double now);
+void vm_show_say(struct vm_show *show, const char *text);
+
+#endif

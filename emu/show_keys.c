@@ -1,0 +1,255 @@
+/* show_keys.c — what keys and dropped files do, and the help that says so. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "emu/show.h"
+
+#define SLOWEST 1e-6
+#define FASTEST 10.0
+
+static const char *const help[] = {
+    "kinescope",
+    "F1\tthis help",
+    "F5\tpause, go on",
+    "F6\tone refresh, then pause",
+    "F7 F8\tslower, faster (Shift: by ten), down to a millionth: single strokes of the beam",
+    "F11\tfull screen",
+    "F12\tscreenshot",
+    "Right Ctrl with",
+    "B C F\tchoose brightness, contrast or focus",
+    "Up Down\tturn the chosen knob",
+    "0\tall knobs neutral",
+    "S\tskip the dark time to the next refresh (for slow motion)",
+    "R\tload the file again (it is loaded when it changes, too)",
+    "1\treal time again",
+    "N P\tnext and previous program of the tour",
+    "Q\tquit",
+    "A file dropped on the window is shown. All other keys belong to the program.",
+};
+
+/* ---- time ---------------------------------------------------------------------------------------
+ */
+
+static void set_scale(struct vm_show *show, double scale)
+{
+    char text[64];
+    show->scale = fmin(fmax(scale, SLOWEST), FASTEST);
+    show->remainder_ps = 0;
+    show->speed_since = 0;
+    if (show->scale < 1)
+        snprintf(text, sizeof text, "%g times slower than real time", round(1 / show->scale));
+    else
+        snprintf(text, sizeof text, "%g x real time", show->scale);
+    vm_show_say(show, text);
+}
+
+/* The next of 1, 2, 5, 10 … above or below, or ten times. */
+static void change_scale(struct vm_show *show, int direction, bool by_ten)
+{
+    double decade = pow(10, floor(log10(show->scale) + 1e-9));
+    double digit = round(show->scale / decade);
+    if (by_ten)
+        digit *= direction > 0 ? 10 : 0.1;
+    else if (direction > 0)
+        digit = digit < 2 ? 2 : digit < 5 ? 5 : 10;
+    else
+        digit = digit > 5 ? 5 : digit > 2 ? 2 : digit > 1 ? 1 : 0.5;
+    set_scale(show, digit * decade);
+}
+
+static void toggle_pause(struct vm_show *show)
+{
+    show->paused = !show->paused;
+    show->rom_since = vm_window_time();
+    show->speed_since = 0;
+    vm_show_say(show, show->paused ? "paused - F5 goes on, F6 steps by a refresh" : "");
+}
+
+static void step(struct vm_show *show)
+{
+    show->paused = show->step = true;
+}
+
+/* ---- knobs --------------------------------------------------------------------------------------
+ */
+
+static double *knob_value(struct vm_show *show, const char **name)
+{
+    static const char *const names[] = {"brightness", "contrast", "focus"};
+    double *const values[] = {&show->knobs.brightness, &show->knobs.contrast, &show->knobs.focus};
+    *name = names[show->knob];
+    return values[show->knob];
+}
+
+static void say_knob(struct vm_show *show)
+{
+    char text[96];
+    const char *name;
+    double value = *knob_value(show, &name);
+    snprintf(text, sizeof text, "%s %.2f - Right Ctrl with Up, Down", name, value);
+    vm_show_say(show, text);
+}
+
+static void turn_knob(struct vm_show *show, int direction)
+{
+    static const double steps[] = {0.02, 0.05, 0.1}, low[] = {-1, 0, 0}, high[] = {1, 4, 4};
+    const char *name;
+    double *value = knob_value(show, &name);
+    enum vm_knob k = show->knob;
+    *value = round((*value + direction * steps[k]) / steps[k]) * steps[k];
+    *value = fmin(fmax(*value, low[k]), high[k]);
+    show->knobs_touched = true;
+    crt_tube_set_knobs(show->program->rig.tube, show->knobs);
+    say_knob(show);
+}
+
+static void reset_knobs(struct vm_show *show)
+{
+    show->knobs = (struct crt_knobs){0, 1, 0};
+    show->knobs_touched = true;
+    crt_tube_set_knobs(show->program->rig.tube, show->knobs);
+    vm_show_say(show, "all knobs neutral");
+}
+
+/* ---- pictures -----------------------------------------------------------------------------------
+ */
+
+static void screenshot(struct vm_show *show)
+{
+    char name[64], text[192];
+    struct crt_image image;
+    struct crt_error err;
+    if (!show->film_ready) {
+        vm_show_say(show, "nothing has been shown yet");
+        return;
+    }
+    do
+        snprintf(name, sizeof name, "kinescope-%03d.png", ++show->shots);
+    while (show->shots < 999 && access(name, F_OK) == 0);
+    /* The picture is of the glass, not of the text over it. */
+    crt_glass_overlay(show->glass, NULL, 0, 0);
+    bool ok =
+        vm_window_screenshot(show->window, show->glass, &show->program->light, 8, &image, &err);
+    if (ok) {
+        ok = vm_picture_write(name, &image, show->program->input.name, &show->program->settings,
+                              &show->program->film, &err);
+        crt_image_free(&image);
+    }
+    snprintf(text, sizeof text, "screenshot %s", name);
+    vm_show_say(show, ok ? text : err.text);
+}
+
+/* ---- events -------------------------------------------------------------------------------------
+ */
+
+static void tour(struct vm_show *show, int direction)
+{
+    struct crt_error err;
+    if (!vm_show_tour(show, direction, &err))
+        vm_show_say(show, err.text);
+}
+
+static void chord(struct vm_show *show, enum vm_key key)
+{
+    switch ((int)key) {
+    case 'B':
+    case 'C':
+    case 'F':
+        show->knob = key == 'B'   ? VM_KNOB_BRIGHTNESS
+                     : key == 'C' ? VM_KNOB_CONTRAST
+                                  : VM_KNOB_FOCUS;
+        say_knob(show);
+        break;
+    case VM_KEY_UP:
+    case VM_KEY_DOWN:
+        turn_knob(show, key == VM_KEY_UP ? 1 : -1);
+        break;
+    case '0':
+        reset_knobs(show);
+        break;
+    case '1':
+        set_scale(show, 1);
+        break;
+    case 'R':
+        vm_show_reload(show, true);
+        break;
+    case 'S':
+        show->skip = true;
+        break;
+    case 'N':
+    case 'P':
+        tour(show, key == 'N' ? 1 : -1);
+        break;
+    case 'Q':
+        show->quit = true;
+        break;
+    default:
+        break;
+    }
+}
+
+static void function_key(struct vm_show *show, int f, unsigned modifiers)
+{
+    switch (f) {
+    case 1:
+        vm_hud_help(show->hud, !vm_hud_help_shown(show->hud), help, sizeof help / sizeof *help);
+        break;
+    case 2:
+        vm_show_say(show, "there is one head: the vector head");
+        break;
+    case 5:
+        toggle_pause(show);
+        break;
+    case 6:
+        step(show);
+        break;
+    case 7:
+    case 8:
+        change_scale(show, f == 8 ? 1 : -1, modifiers & VM_MOD_SHIFT);
+        break;
+    case 9:
+        vm_show_say(show, "no pointing device is connected");
+        break;
+    case 11:
+        vm_window_set_full_screen(show->window, !vm_window_is_full_screen(show->window));
+        break;
+    case 12:
+        screenshot(show);
+        break;
+    default:
+        break;
+    }
+}
+
+static void drop(struct vm_show *show, const char *path)
+{
+    struct crt_error err;
+    if (vm_show_open(show, path, NULL, &err))
+        show->touring = false;
+    else
+        vm_hud_message(show->hud, err.text, vm_window_time(), 20);
+}
+
+void vm_show_event(struct vm_show *show, const struct vm_event *event)
+{
+    switch (event->kind) {
+    case VM_EVENT_CLOSE:
+        show->quit = true;
+        break;
+    case VM_EVENT_DROP:
+        drop(show, event->u.drop.path);
+        break;
+    case VM_EVENT_HOST_KEY:
+        if (event->u.key.action == VM_RELEASE)
+            break;
+        if (event->u.key.key >= VM_KEY_F1 && event->u.key.key <= VM_KEY_F12)
+            function_key(show, (int)event->u.key.key - VM_KEY_F1 + 1, event->u.key.modifiers);
+        else if (event->u.key.chord)
+            chord(show, event->u.key.key);
+        break;
+    default:
+        break;
+    }
+}

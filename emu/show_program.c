@@ -1,0 +1,166 @@
+/* show_program.c — which program the window shows: opening, reloading, the tour. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "crt/maths.h"
+#include "emu/show.h"
+
+/* sRGB of a linear value, near enough for text. */
+static int encode(double linear)
+{
+    double v = linear <= 0 ? 0 : linear >= 1 ? 1 : linear;
+    return (int)(255 * crt_pow(v, 1 / 2.2) + 0.5);
+}
+
+static void tint_text(struct vm_show *show)
+{
+    double rgb[3];
+    const struct crt_phosphor *p = &show->program->settings.phosphor;
+    crt_fit_srgb(0.6, p->colour[p->colours - 1], rgb);
+    vm_hud_tint(show->hud, encode(rgb[0]), encode(rgb[1]), encode(rgb[2]));
+}
+
+static void note_time(struct vm_show *show)
+{
+    struct stat status;
+    if (stat(show->path, &status) == 0) {
+        show->changed_s = (long long)status.st_mtim.tv_sec;
+        show->changed_ns = (long long)status.st_mtim.tv_nsec;
+    }
+}
+
+void vm_show_close(struct vm_shown *program)
+{
+    if (!program)
+        return;
+    crt_film_free(&program->film);
+    vm_rig_close(&program->rig);
+    vm_input_free(&program->input);
+    vm_settings_free(&program->settings);
+    free(program);
+}
+
+/* Tube, machine and film for an input that has been loaded. */
+static bool build(const struct vm_show *show, struct vm_shown *p, const char *tube,
+                  struct crt_error *err)
+{
+    const struct vm_show_desc *d = show->desc;
+    const struct crt_beam_header *header = p->input.is_recording ? &p->input.header : NULL;
+    if (vm_settings_resolve(d->settings, header, tube, &p->settings, err) ||
+        vm_light_settings(d->light, &p->settings, &p->light, err))
+        return false;
+    if (show->knobs_touched)
+        p->settings.knobs = show->knobs;
+    struct crt_tube_desc desc = vm_settings_tube(&p->settings);
+    return vm_rig_open(&p->rig, &p->settings, &p->input, DF_TIMING_VALUE, &desc, err) &&
+           crt_film_init(&p->film, p->rig.tube, err);
+}
+
+static struct vm_shown *prepare(const struct vm_show *show, const char *path, const char *tube,
+                                struct crt_error *err)
+{
+    struct vm_shown *p = calloc(1, sizeof *p);
+    char *report;
+    if (!p) {
+        crt_fail(err, "not enough memory for another program");
+        return NULL;
+    }
+    if (!vm_input_load(&p->input, path, show->desc->input, err, &report)) {
+        free(report);
+        free(p);
+        return NULL;
+    }
+    if (build(show, p, tube, err))
+        return p;
+    vm_show_close(p);
+    return NULL;
+}
+
+/* What was measured of the program before does not hold for this one. */
+static void begin_measuring(struct vm_show *show)
+{
+    show->remainder_ps = show->rate_hz = show->speed = show->speed_since = 0;
+    show->rate_number = show->rate_end = show->speed_from = 0;
+    show->trouble_shown = false;
+}
+
+bool vm_show_open(struct vm_show *show, const char *path, const char *tube, struct crt_error *err)
+{
+    char title[128];
+    if (strlen(path) >= sizeof show->path)
+        return crt_fail(err, "the name %.60s... is too long", path);
+    struct vm_shown *program = prepare(show, path, tube, err);
+    if (!program)
+        return false;
+    vm_show_close(show->program);
+    show->program = program;
+    show->film_ready = false;
+    show->knobs = program->settings.knobs;
+    if (path != show->path)
+        snprintf(show->path, sizeof show->path, "%s", path);
+    note_time(show);
+    tint_text(show);
+    begin_measuring(show);
+    show->step = show->paused;
+    snprintf(title, sizeof title, "%s - kinescope", program->input.name);
+    vm_window_set_title(show->window, title);
+    return true;
+}
+
+static bool file_changed(const struct vm_show *show)
+{
+    struct stat status;
+    return stat(show->path, &status) == 0 &&
+           (show->changed_s != (long long)status.st_mtim.tv_sec ||
+            show->changed_ns != (long long)status.st_mtim.tv_nsec);
+}
+
+void vm_show_reload(struct vm_show *show, bool force)
+{
+    struct crt_error err;
+    struct vm_input input;
+    char *report;
+    if (!show->program || (!force && !file_changed(show)))
+        return;
+    note_time(show);
+    if (!vm_input_load(&input, show->path, show->desc->input, &err, &report)) {
+        free(report);
+        vm_hud_message(show->hud, err.text, vm_window_time(), 20);
+        return;
+    }
+    if (input.is_recording) {
+        /* A recording has times of its own: it begins again at power-on. */
+        vm_input_free(&input);
+        if (!vm_show_open(show, show->path, NULL, &err))
+            vm_show_say(show, err.text);
+        return;
+    }
+    if (!vm_input_insert(&input, show->program->rig.machine, &err)) {
+        vm_input_free(&input);
+        vm_hud_message(show->hud, err.text, vm_window_time(), 20);
+        return;
+    }
+    vm_input_free(&show->program->input);
+    show->program->input = input;
+    show->trouble_shown = false;
+    vm_show_say(show, "loaded again");
+}
+
+bool vm_show_tour(struct vm_show *show, int step, struct crt_error *err)
+{
+    char path[4300];
+    int count = show->roms.count, old = show->rom;
+    if (!show->touring)
+        return crt_fail(err, "this is not the tour; run without a file for that");
+    show->rom = old < 0 ? 0 : ((old + step) % count + count) % count;
+    show->rom_since = vm_window_time();
+    const struct vm_rom *rom = &show->roms.rom[show->rom];
+    if (!vm_roms_path(&show->roms, show->rom, path, sizeof path))
+        return crt_fail(err, "the name of the folder %.60s... is too long", show->roms.folder);
+    if (!vm_show_open(show, path, rom->tube[0] ? rom->tube : NULL, err))
+        return false;
+    vm_hud_message(show->hud, rom->caption, vm_window_time(), 8);
+    return true;
+}

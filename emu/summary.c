@@ -1,0 +1,168 @@
+#include "emu/summary.h"
+
+#include <math.h>
+
+#include "emu/trouble.h"
+
+/* How long to wait for two refreshes to be complete. */
+#define PATIENCE_PS (30 * CRT_PS_PER_S)
+
+/* What one run measured: sums over `refreshes`, and how far apart they begin. */
+struct measure {
+    uint64_t refreshes;
+    uint64_t shortest, longest, total;
+    uint64_t words, instructions, strokes, lit;
+    uint64_t first_begin, last_begin, periods;
+    struct vm_flow flow;
+};
+
+static void add(struct measure *m, const struct vm_refresh *r)
+{
+    uint64_t took = r->end - r->begin;
+    m->shortest = m->refreshes == 0 || took < m->shortest ? took : m->shortest;
+    m->longest = took > m->longest ? took : m->longest;
+    m->refreshes++;
+    m->total += took;
+    m->words += r->words;
+    m->instructions += r->instructions;
+    m->strokes += r->strokes;
+    m->lit += r->lit;
+}
+
+static void add_period(struct measure *m, const struct vm_refresh *r, bool first)
+{
+    if (first)
+        m->first_begin = r->begin;
+    else
+        m->periods++;
+    m->last_begin = r->begin;
+}
+
+static bool measure(const struct vm_settings *s, const struct vm_input *input,
+                    enum df_timing_choice timing, uint64_t length, struct measure *result,
+                    struct crt_error *err)
+{
+    struct vm_rig rig;
+    *result = (struct measure){0};
+    if (!vm_rig_open(&rig, s, input, timing, NULL, err))
+        return false;
+    struct vm_machine *m = rig.machine;
+    /* Without a length the figures are of the first refresh; the second gives the rate. */
+    while ((length || result->periods == 0) &&
+           vm_machine_run_refresh(m, length ? length : PATIENCE_PS)) {
+        add_period(result, &m->refresh, result->refreshes == 0);
+        if (length || result->refreshes == 0)
+            add(result, &m->refresh);
+    }
+    result->flow = m->flow;
+    if (result->refreshes == 0 && !vm_find_trouble(m, input, err))
+        crt_fail(err, "%s completes no refresh in that time; it has no end and does not come round",
+                 input->name);
+    vm_rig_close(&rig);
+    return result->refreshes > 0;
+}
+
+static double mean(uint64_t sum, const struct measure *m)
+{
+    return (double)sum / (double)m->refreshes;
+}
+
+static void print_count(FILE *out, const char *name, uint64_t sum, const struct measure *m)
+{
+    if (sum % m->refreshes == 0)
+        fprintf(out, "  %-13s %llu a refresh", name, (unsigned long long)(sum / m->refreshes));
+    else
+        fprintf(out, "  %-13s %.2f a refresh, on average", name, mean(sum, m));
+}
+
+static void print_refresh(FILE *out, const struct vm_settings *s, const struct measure *m,
+                          const struct measure *low, const struct measure *high)
+{
+    char text[32], from[32], to[32];
+    vm_format_time(m->total / m->refreshes, text, sizeof text);
+    fprintf(out, "  %-13s %s", "refresh time", text);
+    if (m->longest - m->shortest > m->longest / 1000000) {
+        vm_format_time(m->shortest, from, sizeof from);
+        vm_format_time(m->longest, to, sizeof to);
+        fprintf(out, " on average, %s to %s", from, to);
+    }
+    if (s->average_ps) {
+        vm_format_time(s->average_ps, from, sizeof from);
+        fprintf(out, " (every instruction takes %s, as set)\n", from);
+        return;
+    }
+    vm_format_time(low->total / low->refreshes, from, sizeof from);
+    vm_format_time(high->total / high->refreshes, to, sizeof to);
+    fprintf(out, ", uncertain: %s to %s (times of the %s row; list tubes --why)\n", from, to,
+            s->row.name);
+}
+
+static void print_rate(FILE *out, const struct measure *m)
+{
+    if (m->periods == 0) {
+        fprintf(out, "  %-13s none: the program is not refreshed again\n", "refresh rate");
+        return;
+    }
+    double hz =
+        (double)m->periods * (double)CRT_PS_PER_S / (double)(m->last_begin - m->first_begin);
+    fprintf(out, "  %-13s %.4g Hz, %s\n", "refresh rate", hz,
+            m->flow.synchronised ? "waiting for the sync tick"
+            : m->flow.stops      ? "started again at the sync tick after its stop word"
+                                 : "running freely, without sync");
+}
+
+static void print_fit(FILE *out, const struct vm_settings *s, const struct measure *m,
+                      const struct measure *high)
+{
+    uint64_t tick = crt_tick_time(s->tick, 1);
+    double hz = (double)s->tick.num / (double)s->tick.den;
+    char text[32], spare[32];
+    vm_format_time(tick, text, sizeof text);
+    fprintf(out, "  %-13s %s (%.4g Hz): ", "sync tick", text, hz);
+    if (m->longest > tick) {
+        vm_format_time(m->longest - tick, spare, sizeof spare);
+        fprintf(out, "the refresh exceeds it by %s and takes %.0f ticks: it flickers more\n", spare,
+                ceil((double)m->longest / (double)tick));
+        return;
+    }
+    vm_format_time(tick - m->longest, spare, sizeof spare);
+    fprintf(out, "the refresh fits, with %s to spare%s\n", spare,
+            !s->average_ps && high->longest > tick
+                ? "; at the slow end of its uncertainty it does not"
+                : "");
+}
+
+static void print_all(FILE *out, const struct vm_settings *s, const struct vm_input *input,
+                      const struct measure *m, const struct measure *low,
+                      const struct measure *high)
+{
+    fprintf(out, "%s on %s (%s)", input->name, s->row.name, s->phosphor.name);
+    if (m->refreshes > 1)
+        fprintf(out, ", %llu refreshes", (unsigned long long)m->refreshes);
+    fputc('\n', out);
+    print_refresh(out, s, m, low, high);
+    print_rate(out, m);
+    print_fit(out, s, m, high);
+    print_count(out, "words", m->words, m);
+    fputc('\n', out);
+    print_count(out, "instructions", m->instructions, m);
+    fputc('\n', out);
+    print_count(out, "strokes", m->strokes, m);
+    fprintf(out, ", beam on for %.1f %% of the refresh\n",
+            100.0 * (double)m->lit / (double)m->total);
+}
+
+int vm_print_summary(FILE *out, const struct vm_time *length, const struct vm_settings *s,
+                     const struct vm_input *input, struct crt_error *err)
+{
+    struct measure m, low, high;
+    uint64_t ps = 0;
+    if (length->given && !vm_time_ps(length, s->tick, &ps, err))
+        return 2;
+    if (!measure(s, input, DF_TIMING_VALUE, ps, &m, err) ||
+        !measure(s, input, DF_TIMING_LOW, ps, &low, err) ||
+        !measure(s, input, DF_TIMING_HIGH, ps, &high, err))
+        return 1;
+    print_all(out, s, input, &m, &low, &high);
+    return 0;
+}

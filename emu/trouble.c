@@ -1,0 +1,74 @@
+#include "emu/trouble.h"
+
+#include <stdio.h>
+
+/* "02002 (star.df:12)": an address and where its word was written. */
+static void place(const struct vm_input *input, uint32_t address, char *text, size_t size)
+{
+    const struct df_program *p = &input->program;
+    uint32_t line = p->line && address < DF_MEMORY_BYTES ? p->line[address / 2] : 0;
+    uint32_t file = line >> 24;
+    if (line && file < p->file_count) {
+        char name[64];
+        vm_base_name(p->files[file], name, sizeof name);
+        snprintf(text, size, "%06o (%s:%u)", address, name, line & 0xFFFFFF);
+    } else {
+        snprintf(text, size, "%06o", address);
+    }
+}
+
+static void explain_dark(const struct vm_machine *m, const struct vm_input *input,
+                         struct crt_error *sentence)
+{
+    char where[96], after[32];
+    vm_format_time(m->now, after, sizeof after);
+    if (input->is_recording) {
+        crt_fail(sentence, "%s has no stroke in its first %s", input->name, after);
+    } else if (m->flow.loops) {
+        place(input, m->flow.head == VM_NO_HEAD ? m->entry : m->flow.head, where, sizeof where);
+        crt_fail(
+            sentence,
+            "%s never lights the beam: it goes round for ever at address %s; draw with data words "
+            "that have the beam on",
+            input->name, where);
+    } else if (m->stops) {
+        place(input, m->entry, where, sizeof where);
+        crt_fail(
+            sentence,
+            "%s never lights the beam: it runs from address %s to its stop word in the dark; draw "
+            "with data words that have the beam on",
+            input->name, where);
+    } else {
+        crt_fail(sentence, "%s does not light the beam within %s of simulated time", input->name,
+                 after);
+    }
+}
+
+enum vm_trouble vm_find_trouble(const struct vm_machine *m, const struct vm_input *input,
+                                struct crt_error *sentence)
+{
+    char where[96];
+    if (m->dpu.illegal) {
+        place(input, m->dpu.dpc, where, sizeof where);
+        crt_fail(
+            sentence,
+            "%s hangs: the display processor fetches the illegal word %06o at address %s again "
+            "and again; the VT11 has no such instruction",
+            input->name, m->memory[m->dpu.dpc / 2], where);
+        return VM_TROUBLE_ILLEGAL;
+    }
+    if (m->dpu.timeout) {
+        uint16_t address = (uint16_t)(m->dpu.dpc - 2);
+        crt_fail(
+            sentence,
+            "%s runs out of memory: the bus times out at address %06o, and display memory ends at "
+            "%06o; end the display file with a jump or a stop word",
+            input->name, address, m->desc.memory_bytes - 2);
+        return VM_TROUBLE_TIMEOUT;
+    }
+    if (m->strokes == 0) {
+        explain_dark(m, input, sentence);
+        return VM_TROUBLE_DARK;
+    }
+    return VM_NO_TROUBLE;
+}

@@ -1,0 +1,68 @@
+#!/bin/sh
+# The same film bytes from gcc and clang, baseline and AVX2, 1, 2 and 4 threads, x86-64 and aarch64.
+# What is not installed is skipped, visibly.
+set -u
+out=$TEST_OUT/same_bytes
+mkdir -p "$out"
+program=roms/testcard.df
+at=1s at_ps=1000000000000
+n=0
+ok() { n=$((n + 1)); echo "ok $n - $1"; }
+check() { # NAME HASH
+    n=$((n + 1))
+    if [ "$2" = "$want" ]; then echo "ok $n - $1"; else echo "not ok $n - $1: $2, expected $want"; fi
+}
+skip() { n=$((n + 1)); echo "ok $n - $1 # SKIP $2"; }
+film() { # KINESCOPE OPTIONS...
+    k=$1
+    shift
+    "$k" capture $program --tube VR17 --at $at --film --depth 16 --hash -o "$out/film.png" "$@" | cut -d' ' -f1
+}
+want=$(film "$KINESCOPE" --threads 1 --simd baseline)
+if [ ${#want} -ne 64 ]; then
+    echo "not ok 1 - no film from $KINESCOPE"
+    exit 1
+fi
+ok "baseline, 1 thread: $want"
+check "baseline, 2 threads" "$(film "$KINESCOPE" --threads 2 --simd baseline)"
+check "baseline, 4 threads" "$(film "$KINESCOPE" --threads 4 --simd baseline)"
+if grep -qw avx2 /proc/cpuinfo 2>/dev/null; then
+    check "AVX2, 1 thread" "$(film "$KINESCOPE" --threads 1 --simd avx2)"
+    check "AVX2, 4 threads" "$(film "$KINESCOPE" --threads 4 --simd avx2)"
+else
+    skip "AVX2" "this processor has none"
+fi
+
+"$KINESCOPE" asm $program -o "$out/program.oct" || exit 1
+# What a film needs, without libpng, GL, inih and nettle; the AVX2 kernels on x86-64 only.
+sources="tests/cross/film_bytes.c $(ls crt/*.c display_file/*.c |
+    grep -vE '_avx2|png|glass|gl_|ini|image_hash|catalogue') emu/machine.c emu/flow.c"
+flags="-std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -I. -pthread"
+cross() { # NAME RUNNER COMPILER...
+    name=$1 runner=$2
+    shift 2
+    rm -f "$out"/*.o
+    case $("$@" -dumpmachine) in
+    # shellcheck disable=SC2086
+    x86_64*) "$@" $flags -mavx2 -c -o "$out/avx2.o" crt/footprint_avx2.c ;;
+    esac
+    # shellcheck disable=SC2086
+    if "$@" $flags -o "$out/film_bytes" $sources $(ls "$out"/*.o 2>/dev/null) -lm; then
+        check "$name" "$($runner "$out/film_bytes" "$out/program.oct" VR17 $at_ps 2 | sha256sum | cut -d' ' -f1)"
+    else
+        n=$((n + 1))
+        echo "not ok $n - $name: does not compile"
+    fi
+}
+cross "gcc -O2, on its own" "" gcc
+if command -v clang >/dev/null 2>&1; then
+    cross "clang" "" clang
+else
+    skip "clang" "not installed"
+fi
+if command -v aarch64-linux-gnu-gcc >/dev/null 2>&1 && command -v qemu-aarch64 >/dev/null 2>&1; then
+    cross "aarch64" qemu-aarch64 aarch64-linux-gnu-gcc -static
+else
+    skip "aarch64" "needs gcc-aarch64-linux-gnu and qemu-user"
+fi
+echo "1..$n"

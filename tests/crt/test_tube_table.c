@@ -1,0 +1,166 @@
+/* The built-in tubes: complete, within their own ranges, true to the figures they cite. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <math.h>
+#include <string.h>
+
+#include "crt/tube_table.h"
+
+static const char *const names[] = {"VR17", "VR14", "LAB31", "RADAR7", "TYPE30"};
+#define TUBES (sizeof names / sizeof names[0])
+
+static void all_tubes_are_there(void **state)
+{
+    (void)state;
+    size_t n;
+    const struct crt_tube_row *rows = crt_tube_rows(&n);
+    assert_int_equal(n, TUBES);
+    for (size_t i = 0; i < TUBES; i++) {
+        const struct crt_tube_row *row = crt_tube_row_find(names[i]);
+        assert_non_null(row);
+        assert_string_equal(row->name, names[i]);
+        assert_true(row >= rows && row < rows + n);
+        assert_non_null(crt_phosphor_find(row->phosphor));
+        assert_true(strlen(row->description) > 10);
+    }
+    assert_ptr_equal(crt_tube_row_find("vr17"), crt_tube_row_find("VR17"));
+    assert_null(crt_tube_row_find("VR1"));
+    assert_null(crt_tube_row_find(""));
+    assert_string_equal(crt_tube_row_find("VR17")->phosphor, "P39");
+    assert_string_equal(crt_tube_row_find("LAB31")->phosphor, "P31");
+    assert_string_equal(crt_tube_row_find("RADAR7")->phosphor, "P7");
+    assert_string_equal(crt_tube_row_find("TYPE30")->phosphor, "P1");
+}
+
+/* Every figure has a range, a source, and "estimate" is said first or not at all. */
+static void every_figure_is_sourced(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < TUBES; i++) {
+        struct crt_tube_row row = *crt_tube_row_find(names[i]);
+        struct crt_error err;
+        if (!crt_tube_check(&row, &err))
+            fail_msg("%s", err.text);
+#define X(field, unit_text, meaning)                                                               \
+    {                                                                                              \
+        const char *unit = NULL;                                                                   \
+        struct crt_figure *f = crt_tube_figure(&row, #field, &unit);                               \
+        assert_ptr_equal(f, &row.field);                                                           \
+        assert_string_equal(unit, unit_text);                                                      \
+        assert_non_null(f->source);                                                                \
+        assert_true(strlen(f->source) > 5);                                                        \
+        assert_true(f->low <= f->value && f->value <= f->high);                                    \
+        if (strncmp(f->source, "estimate", 8) == 0)                                                \
+            assert_true(f->low < f->high && f->source[8] == ':');                                  \
+    }
+        CRT_TUBE_FIGURES(X)
+#undef X
+        assert_null(crt_tube_figure(&row, "name", NULL));
+        assert_null(crt_tube_figure(&row, "", NULL));
+    }
+}
+
+static void figures_as_published(void **state)
+{
+    (void)state;
+    const struct crt_tube_row *vr17 = crt_tube_row_find("VR17"), *vr14 = crt_tube_row_find("VR14");
+    const struct crt_tube_row *t30 = crt_tube_row_find("TYPE30");
+    assert_true(fabs(vr17->width.value - 234.95) < 1e-9 && vr17->height.value == vr17->width.value);
+    assert_true(fabs(vr17->spot.value - 0.508) < 1e-9);
+    assert_true(fabs(vr14->width.value - 228.6) < 1e-9);
+    assert_true(fabs(vr14->height.value - 171.45) < 1e-9);
+    assert_true(vr14->units_x.value == 1024 && vr14->units_y.value == 768);
+    /* 1 us + 0.018 us a unit reaches the VR14's 18 us over 1024 units within a few per cent. */
+    assert_true(fabs(vr14->settle.value + 1024 * vr14->settle_unit.value - 18) < 1.5);
+    assert_true(vr14->settle_max.value == 18);
+    /* A Type 30 point: two words, settling, time lit. */
+    assert_true(fabs(2 * t30->fetch.value + t30->settle.value + t30->point.value - 50) < 1e-9);
+    assert_true(t30->spot.high <= 0.015 * 25.4 + 1e-9);
+    assert_true(t30->width.value >= 9.25 * 25.4 - 1e-9 && t30->width.value <= 9.375 * 25.4 + 1e-9);
+}
+
+/* line_speed is one pitch per vector_unit; level 0 draws about a tenth of the current. */
+static void figures_agree_with_each_other(void **state)
+{
+    (void)state;
+    for (size_t i = 0; i < TUBES; i++) {
+        const struct crt_tube_row *r = crt_tube_row_find(names[i]);
+        double pitch = r->width.value / r->units_x.value;
+        assert_true(fabs(r->line_speed.value * r->vector_unit.value / pitch - 1) < 1e-9);
+        assert_true(fabs(r->line_speed.high * r->vector_unit.low / pitch - 1) < 1e-9);
+        assert_true(fabs(r->line_speed.low * r->vector_unit.high / pitch - 1) < 1e-9);
+        double level0 = pow(r->drive_low.value, r->gun_exponent.value);
+        assert_true(level0 > 0.05 && level0 < 0.2);
+        double sigma0 = r->spot.value / CRT_WIDTH60_SIGMA;
+        assert_true(r->spot_growth.value > 0.3 * sigma0 && r->spot_growth.value < 0.4 * sigma0);
+        /* The border takes five sigma of the widest spot. */
+        assert_true(r->border.value > 5 * sqrt(sigma0 * sigma0 + pow(r->spot_growth.value, 2)));
+        /* 48 dots fit their cell. */
+        assert_true(48 * r->dot.value <= r->character.value);
+    }
+}
+
+static void grid_resolves_the_smallest_spot(void **state)
+{
+    (void)state;
+    assert_true(fabs(exp(-CRT_WIDTH60_SIGMA * CRT_WIDTH60_SIGMA / 8) - 0.6) < 1e-7);
+    for (size_t i = 0; i < TUBES; i++) {
+        const struct crt_tube_row *r = crt_tube_row_find(names[i]);
+        struct crt_grid g = crt_tube_grid(r);
+        struct crt_screen s = crt_tube_screen(r);
+        assert_true(g.cell_mm <= r->spot.value / CRT_WIDTH60_SIGMA + 1e-12);
+        assert_int_equal(g.cols % 8, 0);
+        assert_true(g.cols * g.cell_mm >= s.width_mm + 2 * r->border.value - 1e-9);
+        assert_true(g.rows * g.cell_mm >= s.height_mm + 2 * r->border.value - 1e-9);
+        assert_in_range(g.cols, 700, 1500);
+        assert_in_range(g.rows, 500, 1500);
+        assert_true(s.units_x == r->units_x.value && s.units_y == r->units_y.value);
+    }
+}
+
+/* Each row breaks one thing. */
+static void check_finds_impossible_figures(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *name;
+        double value;
+    } bad[] = {{"width", 0},      {"width", -3},    {"width", NAN},      {"height", INFINITY},
+               {"spot", 0},       {"units_x", 1},   {"units_y", 1000.5}, {"fetch", 0},
+               {"halation", 1.5}, {"drive_low", 2}, {"vector_unit", 0},  {"line_speed", -1},
+               {"point", NAN},    {"sync", 0},      {"spot", 0.004},     {"border", -1}};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        struct crt_tube_row row = *crt_tube_row_find("VR17");
+        struct crt_error err = {""};
+        struct crt_figure *f = crt_tube_figure(&row, bad[i].name, NULL);
+        f->value = f->low = f->high = bad[i].value;
+        if (crt_tube_check(&row, &err))
+            fail_msg("%s = %g passes", bad[i].name, bad[i].value);
+        assert_non_null(strstr(err.text, "VR17"));
+        assert_non_null(strstr(err.text, bad[i].name));
+    }
+    struct crt_tube_row row = *crt_tube_row_find("VR17");
+    struct crt_error err;
+    row.spot.low = row.spot.value * 1.1; /* a range without its value */
+    assert_false(crt_tube_check(&row, &err));
+    assert_false(crt_tube_check_figure(&row, "spot", &err));
+    assert_true(crt_tube_check_figure(&row, "width", &err));
+    assert_false(crt_tube_check_figure(&row, "colour", &err));
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(all_tubes_are_there),
+        cmocka_unit_test(every_figure_is_sourced),
+        cmocka_unit_test(figures_as_published),
+        cmocka_unit_test(figures_agree_with_each_other),
+        cmocka_unit_test(grid_resolves_the_smallest_spot),
+        cmocka_unit_test(check_finds_impossible_figures),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

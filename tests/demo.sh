@@ -1,0 +1,17 @@
+#!/bin/sh
+# demo.sh KINESCOPE — the tour in a window when there is a display; otherwise its pictures as PNGs.
+set -eu
+kinescope=$1
+if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] && "$kinescope" run; then
+    exit 0
+fi
+out=o/demo
+mkdir -p $out
+echo "No display: writing the tour's pictures into $out/"
+while IFS='|' read -r name program tube at <&3; do
+    name=$(echo "$name" | tr -d ' ')
+    case "$name" in '' | '#'*) continue ;; esac
+    # shellcheck disable=SC2086
+    "$kinescope" capture $program --tube $tube --at $at --size 1024x1024 -o "$out/$name.png"
+    echo "  $out/$name.png"
+done 3<tests/golden/list.txt

@@ -1,0 +1,209 @@
+/* Text over the glass: where it lies, when it is drawn again, how it wraps, that letters are the
+ * glyphs. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "display_file/glyphs.h"
+#include "emu/canvas.h"
+#include "emu/hud.h"
+
+static struct vm_hud *new_hud(void)
+{
+    struct crt_error err = {""};
+    struct vm_hud *hud = vm_hud_create(&err);
+    assert_non_null(hud);
+    return hud;
+}
+
+/* Rows and columns of a picture that are not all transparent. */
+static struct vm_box extent(const uint8_t *rgba, int width, int height)
+{
+    int left = width, right = 0, top = height, bottom = 0;
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++)
+            if (rgba[((size_t)y * (size_t)width + (size_t)x) * 4 + 3]) {
+                left = x < left ? x : left;
+                right = x + 1 > right ? x + 1 : right;
+                top = y < top ? y : top;
+                bottom = y + 1;
+            }
+    return (struct vm_box){left, top, right - left, bottom - top};
+}
+
+static void a_letter_is_its_glyph(void **state)
+{
+    (void)state;
+    struct vm_canvas c = {0};
+    assert_true(vm_canvas_resize(&c, 40, 40));
+    const struct vm_colour ink = {1, 2, 3, 255};
+    vm_canvas_text(&c, 5, 4, 3, ink, "Fg", 2);
+    const char *text = "Fg";
+    for (int i = 0; i < 2; i++) {
+        const struct df_glyph *glyph = df_glyph_ascii((unsigned char)text[i]);
+        for (int column = 0; column < 6; column++)
+            for (int row = 0; row < 8; row++) {
+                int x = 5 + (i * 6 + column) * 3 + 1, y = 4 + row * 3 + 1;
+                y += glyph->descends ? 6 : 0;
+                const uint8_t *p = c.rgba + (y * 40 + x) * 4;
+                assert_int_equal(p[3], glyph->column[column] >> (7 - row) & 1 ? 255 : 0);
+            }
+    }
+    vm_canvas_free(&c);
+}
+
+static void text_past_the_edges_is_cut_off(void **state)
+{
+    (void)state;
+    struct vm_canvas c = {0};
+    assert_true(vm_canvas_resize(&c, 16, 16));
+    const struct vm_colour ink = {9, 9, 9, 255};
+    vm_canvas_text(&c, -7, -3, 4, ink, "WWWW", 4);
+    vm_canvas_text(&c, 12, 12, 4, ink, "\x7f\xff", 2);
+    vm_canvas_fill(&c, (struct vm_box){-100, -100, 50, 50}, ink);
+    vm_canvas_free(&c);
+}
+
+static void assert_lines(const char *text, size_t columns, size_t max, const char *const *want,
+                         size_t count, bool cut)
+{
+    struct vm_line lines[8];
+    assert_int_equal(vm_wrap(text, columns, lines, max), count);
+    for (size_t i = 0; i < count; i++) {
+        assert_int_equal(lines[i].length, strlen(want[i]));
+        assert_memory_equal(lines[i].text, want[i], lines[i].length);
+        assert_int_equal(lines[i].cut, cut && i + 1 == count);
+    }
+}
+
+static void text_wraps_between_words(void **state)
+{
+    (void)state;
+    const char *const plain[] = {"one two", "three"};
+    assert_lines("one two three", 8, 8, plain, 2, false);
+    assert_lines("one two  three", 7, 8, plain, 2, false);
+    const char *const broken[] = {"a", "", "b"};
+    assert_lines("a\n\nb", 8, 8, broken, 3, false);
+    const char *const hard[] = {"abcdefgh", "ij"};
+    assert_lines("abcdefghij", 8, 8, hard, 2, false);
+    const char *const shortened[] = {"one two", "three"};
+    assert_lines("one two three four", 8, 2, shortened, 2, true);
+    assert_lines("", 8, 8, NULL, 0, false);
+    assert_lines("abc", 0, 8, NULL, 0, false);
+}
+
+static void nothing_to_say_is_no_overlay(void **state)
+{
+    (void)state;
+    struct vm_hud *hud = new_hud();
+    bool changed;
+    assert_null(vm_hud_draw(hud, 800, 800, 0, &changed));
+    vm_hud_status(hud, "up");
+    assert_non_null(vm_hud_draw(hud, 800, 800, 0, &changed));
+    assert_true(changed);
+    vm_hud_status(hud, NULL);
+    assert_null(vm_hud_draw(hud, 800, 800, 0, &changed));
+    assert_true(changed);
+    assert_null(vm_hud_draw(hud, 0, 0, 0, &changed));
+    vm_hud_destroy(hud);
+}
+
+static void is_drawn_again_only_when_it_changes(void **state)
+{
+    (void)state;
+    struct vm_hud *hud = new_hud();
+    bool changed;
+    vm_hud_status(hud, "P39  60 Hz");
+    vm_hud_draw(hud, 800, 600, 1, &changed);
+    assert_true(changed);
+    vm_hud_status(hud, "P39  60 Hz");
+    vm_hud_draw(hud, 800, 600, 2, &changed);
+    assert_false(changed);
+    vm_hud_draw(hud, 801, 600, 3, &changed);
+    assert_true(changed);
+    vm_hud_status(hud, "P31  60 Hz");
+    vm_hud_draw(hud, 801, 600, 4, &changed);
+    assert_true(changed);
+    vm_hud_destroy(hud);
+}
+
+static void status_lies_at_the_bottom_in_dots_that_suit_the_window(void **state)
+{
+    (void)state;
+    const struct {
+        int width, height, dot;
+    } windows[] = {{480, 480, 1}, {800, 800, 2}, {1920, 1080, 2}, {3840, 2160, 4}};
+    for (size_t i = 0; i < 4; i++) {
+        struct vm_hud *hud = new_hud();
+        bool changed;
+        int w = windows[i].width, h = windows[i].height, dot = windows[i].dot;
+        vm_hud_status(hud, "status");
+        struct vm_box box = extent(vm_hud_draw(hud, w, h, 0, &changed), w, h);
+        assert_int_equal(box.y + box.h, h - 4 * dot);
+        assert_int_equal(box.h, 20 * dot);
+        assert_int_equal(box.w, (6 * 6 + 9) * dot);
+        vm_hud_destroy(hud);
+    }
+}
+
+static void a_message_fades_and_goes(void **state)
+{
+    (void)state;
+    struct vm_hud *hud = new_hud();
+    bool changed;
+    int before = 256, redraws = 0;
+    vm_hud_message(hud, "saved", 10, 4);
+    for (double t = 10; t < 15; t += 0.01) {
+        const uint8_t *rgba = vm_hud_draw(hud, 320, 240, t, &changed);
+        int alpha = 0;
+        for (int i = 0; rgba && i < 320 * 240; i++)
+            alpha = rgba[4 * i + 3] > alpha ? rgba[4 * i + 3] : alpha;
+        assert_true(alpha <= before);
+        assert_true(t > 13.3 || alpha == 255);
+        assert_true(t < 14.01 || !rgba);
+        before = alpha;
+        redraws += changed;
+    }
+    assert_in_range(redraws, 8, 24);
+    vm_hud_destroy(hud);
+}
+
+static void help_fits_any_window(void **state)
+{
+    (void)state;
+    static const char *const lines[] = {
+        "kinescope", "F1\tthis help", "F7 F8\tslower, faster, down to single strokes of the beam",
+        "A long line that says that a file dropped on the window is shown, and more besides."};
+    const int sizes[][2] = {{3000, 2000}, {800, 800}, {320, 200}, {90, 60}, {8, 8}, {1, 1}};
+    struct vm_hud *hud = new_hud();
+    vm_hud_status(hud, "a status line that is far too long for the smallest of these windows");
+    vm_hud_message(hud, "and a message", 0, 100);
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        bool changed;
+        vm_hud_help(hud, true, lines, 4);
+        assert_true(vm_hud_help_shown(hud));
+        assert_non_null(vm_hud_draw(hud, sizes[i][0], sizes[i][1], 1, &changed));
+    }
+    vm_hud_help(hud, false, NULL, 0);
+    assert_false(vm_hud_help_shown(hud));
+    vm_hud_destroy(hud);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_letter_is_its_glyph),
+        cmocka_unit_test(text_past_the_edges_is_cut_off),
+        cmocka_unit_test(text_wraps_between_words),
+        cmocka_unit_test(nothing_to_say_is_no_overlay),
+        cmocka_unit_test(is_drawn_again_only_when_it_changes),
+        cmocka_unit_test(status_lies_at_the_bottom_in_dots_that_suit_the_window),
+        cmocka_unit_test(a_message_fades_and_goes),
+        cmocka_unit_test(help_fits_any_window),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

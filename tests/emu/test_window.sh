@@ -1,0 +1,170 @@
+#!/bin/sh
+# The window under a virtual X server: its screenshot is the offscreen picture of the same instant, keys
+# do what the help says, a changed file is loaded again. Needs $KINESCOPE and $TEST_OUT; prints TAP.
+set -u
+LSAN_OPTIONS=suppressions=$(cd "$(dirname "$0")/../support" && pwd)/lsan.supp:print_suppressions=0
+export LSAN_OPTIONS
+programs=$(cd "$(dirname "$0")/../programs" && pwd)
+work=$TEST_OUT/window
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work" || exit 1
+number=0
+failed=0
+server= viewer=
+
+report() { # STATUS NAME
+    number=$((number + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $number - $2"
+    else
+        echo "not ok $number - $2"
+        failed=1
+    fi
+}
+
+finish() {
+    [ -n "$viewer" ] && kill "$viewer" 2>/dev/null
+    [ -n "$server" ] && kill "$server" 2>/dev/null
+    echo "1..$number"
+    exit $failed
+}
+
+for tool in Xvfb xdotool; do
+    if ! command -v $tool >/dev/null; then
+        echo "ok 1 - window # SKIP $tool is not installed"
+        echo 1..1
+        exit 0
+    fi
+done
+
+Xvfb -displayfd 3 -noreset -screen 0 1024x768x24 3>display 2>xvfb.log &
+server=$!
+tries=0
+while [ ! -s display ] && [ $tries -lt 100 ]; do sleep 0.1 && tries=$((tries + 1)); done
+if [ ! -s display ]; then
+    echo "ok 1 - window # SKIP Xvfb does not start here"
+    server=
+    echo 1..1
+    exit 0
+fi
+DISPLAY=:$(cat display)
+export DISPLAY
+unset WAYLAND_DISPLAY
+
+# until SECONDS COMMAND...: repeats it until it succeeds.
+until_true() {
+    tries=$(($1 * 5))
+    shift
+    while ! "$@" >/dev/null 2>&1; do
+        tries=$((tries - 1))
+        [ $tries -gt 0 ] || return 1
+        sleep 0.2
+    done
+}
+
+title() {
+    xdotool search --onlyvisible --name "$1 - kinescope"
+}
+
+press() {
+    for key; do
+        xdotool key --clearmodifiers "$key"
+        sleep 0.3
+    done
+}
+
+chord() {
+    xdotool keydown Control_R key "$1" keyup Control_R
+    sleep 0.3
+}
+
+tag() { # KEYWORD FILE: a text chunk of a PNG written by kinescope
+    strings -n 3 "$2" | sed -n "/^tEXt$1\$/{n;s/^\\([0-9.]*\\) s.*/\\1/p;}" | head -n 1
+}
+
+until_true 20 xdotool getdisplaygeometry
+report $? "the virtual X server answers"
+cp "$programs/spin.df" live.df
+"$KINESCOPE" run live.df --tube LAB31 --size 500x500 2>log &
+viewer=$!
+until_true 30 title live.df
+report $? "a window opens, named after the program"
+xdotool mousemove 250 250
+xdotool windowfocus "$(title live.df | tail -n 1)" 2>/dev/null
+sleep 1.5
+press F5 F12
+until_true 10 test -s kinescope-001.png
+report $? "F12 writes a screenshot"
+at=$(tag "Simulated time" kinescope-001.png) exposure=$(tag Exposure kinescope-001.png)
+"$KINESCOPE" capture live.df --tube LAB31 --at "${at}s" --exposure "${exposure}s" --size 500x500 -o offscreen.png
+report $? "the screenshot says when it was taken"
+"$KINESCOPE" compare kinescope-001.png offscreen.png --tolerance 2 --diff diff.png
+report $? "the screenshot is the offscreen picture of that instant"
+
+press F6 F12
+step=$(tag "Simulated time" kinescope-002.png) length=$(tag Exposure kinescope-002.png)
+[ -n "$step" ] && [ "$step" != "$at" ]
+report $? "F6 steps by a refresh"
+[ "$(echo "$length" | cut -c1-3)" = "0.0" ]
+report $? "a step is no longer than two ticks"
+press F12
+"$KINESCOPE" compare kinescope-002.png kinescope-003.png >/dev/null
+report $? "a paused picture stands still"
+[ "$(tag "Simulated time" kinescope-003.png)" = "$step" ]
+report $? "a paused machine stands still"
+
+chord b
+for i in 1 2 3 4 5; do chord Up; done
+press F6 F6 F12
+"$KINESCOPE" compare kinescope-002.png kinescope-004.png >/dev/null
+[ $? -eq 1 ]
+report $? "the brightness knob acts"
+chord 0
+press F1 F7 F8 F9 F2 F1 Tab Escape a F5
+
+cp "$programs/star.df" live.df
+sleep 2
+press F5 F6 F6 F12
+"$KINESCOPE" capture live.df --tube LAB31 --size 500x500 -o star.png
+# The exposure of a step is one refresh, not one tick: nearly the same picture.
+difference() {
+    "$KINESCOPE" compare "$1" "$2" --json | sed 's/.*"mean_difference": \([0-9.e-]*\).*/\1/'
+}
+echo "$(difference kinescope-005.png star.png) $(difference kinescope-004.png star.png)" |
+    awk '{ exit !(NF == 2 && $1 < 0.2 * $2) }'
+report $? "a changed file is loaded again"
+echo "  nonsense" >>live.df
+sleep 1
+kill -0 $viewer
+report $? "a file with errors does not end the show"
+chord q
+tries=0
+while kill -0 $viewer 2>/dev/null && [ $tries -lt 50 ]; do sleep 0.1 && tries=$((tries + 1)); done
+wait $viewer
+report $? "Right Ctrl Q ends it with status 0"
+viewer=
+[ ! -s log ] || sed 's/^/# /' log
+[ ! -s log ]
+report $? "nothing was complained about"
+
+"$KINESCOPE" run "$programs/star.df" --for 0.2s --size 300x300
+report $? "--for ends the show"
+mkdir roms
+cp "$programs/star.df" "$programs/spin.df" roms
+printf 'star.df - A star\nspin.df RADAR7 A hand\n' >roms/tour.txt
+"$KINESCOPE" run --roms roms --size 300x300 2>tour.log &
+viewer=$!
+until_true 30 title star.df
+report $? "without a file: the tour"
+xdotool mousemove 150 150
+xdotool windowfocus "$(title star.df | tail -n 1)" 2>/dev/null
+sleep 0.5
+chord n
+until_true 10 title spin.df
+report $? "Right Ctrl N shows the next program"
+chord q
+wait $viewer
+report $? "the tour ends with status 0"
+viewer=
+finish
