@@ -62,6 +62,11 @@ static void keep(struct df_asm *as, uint32_t file, uint32_t line, uint32_t colum
         df_asm_out_of_memory(as);
         return;
     }
+    for (char *c = text; *c != 0; c++) {
+        if ((unsigned char)*c < 32 || *c == 127) {
+            *c = '?'; /* a file name may hold anything */
+        }
+    }
     char *note = as->calls.length > 0 ? copy(as->calls.bytes, as->calls.length) : NULL;
     as->errors[as->error_count] =
         (struct df_error){file, line, column, as->error_count, as->chain, text, note};

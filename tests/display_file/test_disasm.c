@@ -216,9 +216,9 @@ static uint16_t random_word(void)
     uint16_t any = (uint16_t)random_below(65536);
     switch (random_below(8)) {
     case 0:
-        return 0100000 | any % 7 << 11 | (any & 03777);
+        return (uint16_t)(0100000 | any % 7 << 11 | (any & 03777));
     case 1:
-        return 0100000 | any % 7 << 11;
+        return (uint16_t)(0100000 | any % 7 << 11);
     case 2:
         return any & (uint16_t)random_below(65536) & 077777;
     case 3:
