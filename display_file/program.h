@@ -13,18 +13,20 @@
 
 #include "crt/error.h"
 
-#define DF_MEMORY_BYTES 0x40000u /* 256 KiB; the VT11's 16-bit addresses reach the first 64 KiB */
+#define DF_MEMORY_BYTES  0x40000u /* 256 KiB; the VT11's 16-bit addresses reach the first 64 KiB */
 #define DF_ADDRESS_SPACE 0x10000u
 
 struct df_program {
-    uint16_t *words;  /* DF_MEMORY_BYTES / 2, indexed by address / 2; 0 where nothing was loaded */
-    uint8_t *loaded;  /* same index: 1 where the program put a word */
-    uint32_t *line;   /* same index: file << 24 | line number of the source, 0 = unknown */
-    char **files;     /* names for that file index */
+    uint16_t *words; /* DF_MEMORY_BYTES / 2, indexed by address / 2; 0 where nothing was loaded */
+    uint8_t *loaded; /* same index: 1 where the program put a word */
+    uint32_t *line;  /* same index: file << 24 | line number of the source, 0 = unknown */
+    char **files;    /* names for that file index */
     unsigned file_count;
-    uint32_t low, high; /* the first address loaded and the one after the last; low == high: empty */
-    uint32_t entry;     /* where DPC starts */
-    char tube[24];      /* the tube the program was made for (`.tube`), "" when it does not say */
+    uint32_t low,
+        high;       /* the first address loaded and the one after the last; low == high: empty */
+    uint32_t entry; /* where DPC starts */
+    char tube
+        [40]; /* what it was made for (`.tube`): TUBE or TUBE/PHOSPHOR; "" when it does not say */
 };
 
 bool df_program_init(struct df_program *p, struct crt_error *err);

@@ -303,8 +303,9 @@ static int open_studios(struct capture *c, struct crt_error *err)
 static int capture(struct capture *c)
 {
     struct crt_error err;
-    int status = vm_settings_resolve(
-        &c->o.settings, c->input.is_recording ? &c->input.header : NULL, NULL, &c->settings, &err);
+    int status =
+        vm_settings_resolve(&c->o.settings, c->input.is_recording ? &c->input.header : NULL,
+                            vm_input_tube(&c->input), &c->settings, &err);
     if (status == VM_EXIT_OK)
         c->tube = vm_settings_tube(&c->settings);
     if (status == VM_EXIT_OK && c->o.closeup && !closeup(c, &err))

@@ -84,8 +84,8 @@ static int run_headless(const struct options *o, const char *path)
         free(report);
         return report ? VM_EXIT_TROUBLE : fail(VM_EXIT_TROUBLE, &err);
     }
-    int status = vm_settings_resolve(&o->settings, input.is_recording ? &input.header : NULL, NULL,
-                                     &settings, &err);
+    int status = vm_settings_resolve(&o->settings, input.is_recording ? &input.header : NULL,
+                                     vm_input_tube(&input), &settings, &err);
     if (!status)
         status = headless(o, &settings, &input, &err);
     vm_settings_free(&settings);

@@ -140,8 +140,9 @@ static int trace(struct trace *t)
 {
     struct crt_error err;
     bool named = t->o.out && strcmp(t->o.out, "-") != 0;
-    int status = vm_settings_resolve(
-        &t->o.settings, t->input.is_recording ? &t->input.header : NULL, NULL, &t->settings, &err);
+    int status =
+        vm_settings_resolve(&t->o.settings, t->input.is_recording ? &t->input.header : NULL,
+                            vm_input_tube(&t->input), &t->settings, &err);
     t->out = named && !status ? fopen(t->o.out, "w") : stdout;
     if (!t->out) {
         crt_fail(&err, "%.300s cannot be written: %s", t->o.out, strerror(errno));

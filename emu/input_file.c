@@ -228,6 +228,11 @@ void vm_input_free(struct vm_input *in)
     in->count = 0;
 }
 
+const char *vm_input_tube(const struct vm_input *input)
+{
+    return !input->is_recording && input->program.tube[0] ? input->program.tube : NULL;
+}
+
 bool vm_input_insert(const struct vm_input *in, struct vm_machine *m, struct crt_error *err)
 {
     if (!in->is_recording)

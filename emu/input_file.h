@@ -35,6 +35,9 @@ bool vm_input_load(struct vm_input *input, const char *path, const struct vm_inp
                    struct crt_error *err, char **report);
 void vm_input_free(struct vm_input *input);
 
+/* The tube the program was made for, as it says it; NULL when it does not. */
+const char *vm_input_tube(const struct vm_input *input);
+
 /* Loads it into a machine: words and entry, or the recording. */
 bool vm_input_insert(const struct vm_input *input, struct vm_machine *m, struct crt_error *err);
 

@@ -8,8 +8,9 @@
 #define DEFAULT_TUBE "VR17"
 
 const struct vm_option vm_settings_rows[VM_SETTINGS_ROWS] = {
-    {"tube", 0, VM_OPT_STRING, ROW(tube), "NAME", "tube row (list tubes); default " DEFAULT_TUBE, 0,
-     0},
+    {"tube", 0, VM_OPT_STRING, ROW(tube), "NAME",
+     "tube row (list tubes), or TUBE/PHOSPHOR; default: what the program says, else " DEFAULT_TUBE,
+     0, 0},
     {"phosphor", 0, VM_OPT_STRING, ROW(phosphor), "NAME",
      "phosphor instead of the tube's own (list phosphors)", 0, 0},
     {"tubes", 0, VM_OPT_LIST, ROW(tubes), "FILE.ini", "read more tubes and phosphors", 0, 0},
@@ -73,6 +74,25 @@ static bool take_phosphor(struct vm_settings *s, const char *name, struct crt_er
     for (size_t i = 0; i < s->catalogue.phosphor_count && count < 256; i++)
         names[count++] = s->catalogue.phosphors[i].name;
     return no_such("phosphor", name, names, count, err);
+}
+
+/* TUBE or TUBE/PHOSPHOR, taken apart. */
+struct glass {
+    char tube[24], phosphor[16];
+};
+
+static bool glass_of(const char *name, struct glass *glass, struct crt_error *err)
+{
+    name = name ? name : DEFAULT_TUBE;
+    size_t n = strcspn(name, "/");
+    const char *phosphor = name[n] ? name + n + 1 : "";
+    *glass = (struct glass){"", ""};
+    if (n == 0 || n >= sizeof glass->tube || strlen(phosphor) >= sizeof glass->phosphor ||
+        (name[n] && !*phosphor))
+        return crt_fail(err, "'%.60s' is not a tube or TUBE/PHOSPHOR, such as VR17/P31", name);
+    memcpy(glass->tube, name, n);
+    strcpy(glass->phosphor, phosphor);
+    return true;
 }
 
 /* ---- --set --------------------------------------------------------------------------------------
@@ -216,14 +236,19 @@ int vm_settings_resolve(const struct vm_settings_options *o,
     for (int i = 0; i < o->tubes.count; i++)
         if (!crt_catalogue_load(&s->catalogue, o->tubes.item[i], err))
             return 1;
-    const char *name = o->tube ? o->tube : recording ? recording->tube : tube;
-    if (!take_tube(s, name ? name : DEFAULT_TUBE, err))
-        return recording && !o->tube ? 1 : 2;
+    struct glass glass;
+    if (!glass_of(o->tube     ? o->tube
+                  : recording ? recording->tube
+                              : tube,
+                  &glass, err) ||
+        !take_tube(s, glass.tube, err))
+        return o->tube ? 2 : 1;
     const char *phosphor = o->phosphor                           ? o->phosphor
+                           : glass.phosphor[0]                   ? glass.phosphor
                            : recording && recording->phosphor[0] ? recording->phosphor
                                                                  : s->row.phosphor;
     if (!take_phosphor(s, phosphor, err))
-        return o->phosphor ? 2 : 1;
+        return o->phosphor || o->tube ? 2 : 1;
     if (!set_all(s, &o->set, err) || !take_simd(s, o->simd, err))
         return 2;
     s->tick = o->refresh.num ? o->refresh

@@ -41,7 +41,7 @@ struct vm_settings {
 };
 
 /* `recording` names tube, phosphor and tick where the options do not; NULL for programs. `tube` is
- * the row to take when nothing names one; NULL for the default. */
+ * what the program or the tour names (TUBE or TUBE/PHOSPHOR); NULL for the default. */
 int vm_settings_resolve(const struct vm_settings_options *options,
                         const struct crt_beam_header *recording, const char *tube,
                         struct vm_settings *settings, struct crt_error *err);

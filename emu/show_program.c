@@ -48,7 +48,8 @@ static bool build(const struct vm_show *show, struct vm_shown *p, const char *tu
 {
     const struct vm_show_desc *d = show->desc;
     const struct crt_beam_header *header = p->input.is_recording ? &p->input.header : NULL;
-    if (vm_settings_resolve(d->settings, header, tube, &p->settings, err) ||
+    const char *glass = tube ? tube : vm_input_tube(&p->input);
+    if (vm_settings_resolve(d->settings, header, glass, &p->settings, err) ||
         vm_light_settings(d->light, &p->settings, &p->light, err))
         return false;
     if (show->knobs_touched)
