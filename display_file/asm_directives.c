@@ -221,7 +221,8 @@ static void directive_tube(struct df_asm *as, unsigned what)
 {
     (void)what;
     struct df_token name = as->lex.token;
-    if (name.kind != DF_TOKEN_NAME || name.text[0] == '.') {
+    /* DEC names may hold dots, but then the disassembler could not say them. */
+    if (name.kind != DF_TOKEN_NAME || memchr(name.text, '.', name.length) != NULL) {
         df_asm_unexpected(as, "the name of a tube, such as VR17");
         return;
     }
