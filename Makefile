@@ -54,7 +54,7 @@ TEST_LIBS := -lcmocka
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: all demo test check sanitize tsan bench golden layers headers format clean help deps fuzz
+.PHONY: all demo test check sanitize tsan bench golden layers headers format clean help deps fuzz pictures
 
 all: $(KINESCOPE)
 
@@ -130,6 +130,12 @@ bench: deps-run
 	@$(MAKE) --no-print-directory all $(BENCH_BINS)
 	@tests/bench.sh $(BENCH_BINS)
 
+# The pictures of the README (glass: they vary a little with the GL driver).
+pictures: all
+	@mkdir -p roms/pictures
+	./kinescope capture roms/lander.df --at 0.6s --size 640x640 -o roms/pictures/lander.png
+	./kinescope capture roms/radar.df --at 11s --size 640x640 -o roms/pictures/radar.png
+
 golden: all
 	@tests/golden.sh --regenerate ./kinescope
 
@@ -161,6 +167,7 @@ help:
 	@echo "make bench       speeds, as ratios within one run"
 	@echo "make fuzz        run the fuzzers for FUZZ_SECONDS each (clang)"
 	@echo "make golden      regenerate the golden traces and films (look at them before committing)"
+	@echo "make pictures    draw the pictures of the README"
 	@echo "make layers      check that includes go one way"
 	@echo "make headers     check that every header compiles alone"
 	@echo "make format      clang-format the tree"

@@ -240,8 +240,15 @@ static bool add_to_tube(struct df_asm *as, const char *expected)
 static void directive_tube(struct df_asm *as, unsigned what)
 {
     (void)what;
+<<<<<<< HEAD
     as->program->tube[0] = '\0';
     if (!add_to_tube(as, "the name of a tube, such as VR17 or VR17/P31")) {
+=======
+    struct df_token name = as->lex.token;
+    /* DEC names may hold dots, but then the disassembler could not say them. */
+    if (name.kind != DF_TOKEN_NAME || memchr(name.text, '.', name.length) != NULL) {
+        df_asm_unexpected(as, "the name of a tube, such as VR17");
+>>>>>>> asm
         return;
     }
     if (df_token_is_op(&as->lex.token, '/')) {
