@@ -216,49 +216,27 @@ static void directive_dialect(struct df_asm *as, unsigned what)
     }
 }
 
-/* Appends the name at the token to program->tube. */
-static bool add_to_tube(struct df_asm *as, const char *expected)
-{
-    struct df_token name = as->lex.token;
-    size_t used = strlen(as->program->tube);
-    if (name.kind != DF_TOKEN_NAME || name.text[0] == '.') {
-        df_asm_unexpected(as, expected);
-        return false;
-    }
-    if (used + name.length + 1 >= sizeof as->program->tube) {
-        df_asm_error(as, name.column, "the name is too long; expected at most %d characters in all",
-                     (int)sizeof as->program->tube - 2);
-        return false;
-    }
-    memcpy(as->program->tube + used, name.text, name.length);
-    as->program->tube[used + name.length] = '\0';
-    df_lex_next(&as->lex);
-    return true;
-}
-
 /* Which tube the program was made for; whether there is such a row is for the machine to say. */
 static void directive_tube(struct df_asm *as, unsigned what)
 {
     (void)what;
-<<<<<<< HEAD
-    as->program->tube[0] = '\0';
-    if (!add_to_tube(as, "the name of a tube, such as VR17 or VR17/P31")) {
-=======
+    df_lex_string_again(&as->lex);
     struct df_token name = as->lex.token;
-    /* DEC names may hold dots, but then the disassembler could not say them. */
-    if (name.kind != DF_TOKEN_NAME || memchr(name.text, '.', name.length) != NULL) {
-        df_asm_unexpected(as, "the name of a tube, such as VR17");
->>>>>>> asm
+    if (name.kind != DF_TOKEN_STRING || name.length < 3 ||
+        memchr(name.text, '\\', name.length) != NULL) {
+        df_asm_unexpected(as, "the name of a tube in quotes, such as \"VR17\" or \"VR17/P31\"");
         return;
     }
-    if (df_token_is_op(&as->lex.token, '/')) {
-        strcat(as->program->tube, "/"); /* a name leaves room: it has at most 38 characters */
-        df_lex_next(&as->lex);
-        if (!add_to_tube(as, "the name of a phosphor, such as P31")) {
-            return;
-        }
+    if (name.length - 2 >= sizeof as->program->tube) {
+        df_asm_error(as, name.column, "the name is too long; expected at most %d characters",
+                     (int)sizeof as->program->tube - 1);
+        return;
     }
-    df_asm_end_of_line(as);
+    df_lex_next(&as->lex);
+    if (df_asm_end_of_line(as)) {
+        memcpy(as->program->tube, name.text + 1, name.length - 2);
+        as->program->tube[name.length - 2] = '\0';
+    }
 }
 
 static const struct df_asm_statement directives[] = {

@@ -130,7 +130,7 @@ static void write_all(struct disassembly *d)
     uint32_t expected = 0;
     d->mode = NO_MODE;
     if (p->tube[0] != '\0') {
-        df_text_add(&d->text, "        .tube   %s\n", p->tube);
+        df_text_add(&d->text, "        .tube   \"%s\"\n", p->tube);
     }
     if (p->entry != p->low) {
         df_text_add(&d->text, "        .start  ");
