@@ -13,7 +13,7 @@
 #define BATCH 2048
 
 /* What a band's planes and films may take of the second-level cache, bytes. */
-#define BAND_BYTES (512 * 1024)
+#define BAND_BYTES (384 * 1024)
 
 /* A piece of footprint with its weights, ready for the bands. */
 struct piece {
