@@ -133,7 +133,7 @@ bench: deps-run
 # The pictures of the README (glass: they vary a little with the GL driver).
 pictures: all
 	@mkdir -p roms/pictures
-	./kinescope capture roms/lander.df --at 0.5s --size 640x640 -o roms/pictures/lander.png
+	./kinescope capture roms/lander.df --at 0.7s --size 640x640 -o roms/pictures/lander.png
 	./kinescope capture roms/radar.df --at 11s --size 640x640 -o roms/pictures/radar.png
 
 golden: all
