@@ -11,7 +11,7 @@ bool crt_film_init(struct crt_film *film, const struct crt_tube *tube, struct cr
     const struct crt_grid *grid = &tube->desc.grid;
     *film = (struct crt_film){.grid = *grid, .colours = tube->desc.phosphor->colours};
     for (int c = 0; c < film->colours; c++) {
-        film->light[c] = calloc((size_t)grid->cols * (size_t)grid->rows, sizeof(float));
+        film->light[c] = crt_cells_alloc((size_t)grid->cols * (size_t)grid->rows);
         if (!film->light[c]) {
             crt_film_free(film);
             return crt_fail(err, "out of memory for a film of %d x %d cells; choose larger cells",

@@ -1,8 +1,25 @@
 #include "crt/planes.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 #include "crt/maths.h"
+
+float *crt_cells_alloc(size_t cells)
+{
+    size_t bytes = (cells * sizeof(float) + CRT_LINE_BYTES - 1) / CRT_LINE_BYTES * CRT_LINE_BYTES;
+    float *memory = aligned_alloc(CRT_LINE_BYTES, bytes);
+    if (memory)
+        memset(memory, 0, bytes);
+    return memory;
+}
+
+/* Planes and films are written at the same cell in turn; were they the same distance from a page's
+ * start, the processor would take one's load to depend on the other's store. */
+static size_t stagger(int plane)
+{
+    return (size_t)plane * 208 % CRT_PAGE_FLOATS;
+}
 
 bool crt_planes_init(struct crt_planes *planes, const struct crt_phosphor *phosphor, int cols,
                      int rows, double epoch_s, const struct crt_kernels *kernels)
@@ -18,7 +35,8 @@ bool crt_planes_init(struct crt_planes *planes, const struct crt_phosphor *phosp
         struct crt_plane *plane = &planes->plane[planes->count++];
         plane->term = k;
         plane->factor = (float)factor;
-        plane->cells = calloc((size_t)cols * (size_t)rows, sizeof plane->cells[0]);
+        plane->memory = crt_cells_alloc((size_t)cols * (size_t)rows + CRT_PAGE_FLOATS);
+        plane->cells = plane->memory ? plane->memory + stagger(planes->count) : NULL;
         plane->lit = calloc(tiles, sizeof plane->lit[0]);
         plane->age = calloc(tiles, sizeof plane->age[0]);
         if (!plane->cells || !plane->lit || !plane->age) {
@@ -32,7 +50,7 @@ bool crt_planes_init(struct crt_planes *planes, const struct crt_phosphor *phosp
 void crt_planes_free(struct crt_planes *planes)
 {
     for (int k = 0; k < planes->count; k++) {
-        free(planes->plane[k].cells);
+        free(planes->plane[k].memory);
         free(planes->plane[k].lit);
         free(planes->plane[k].age);
     }

@@ -25,6 +25,7 @@ struct crt_plane {
     int term;     /* of the phosphor */
     float factor; /* e^(−epoch/τ) */
     float *cells;
+    float *memory; /* that cells lie in */
     uint8_t *lit;  /* per tile */
     uint64_t *age; /* per tile: epoch its cells are as of */
 };
@@ -36,6 +37,12 @@ struct crt_planes {
     struct crt_plane plane[CRT_MAX_TERMS];
     uint64_t epoch; /* the epoch that has begun: planes are as of its start */
 };
+
+#define CRT_LINE_BYTES  64   /* of the processor's cache */
+#define CRT_PAGE_FLOATS 1024 /* of its memory */
+
+/* Cells, all 0, at the start of a cache line; NULL when memory is out; free() releases. */
+float *crt_cells_alloc(size_t cells);
 
 bool crt_planes_init(struct crt_planes *planes, const struct crt_phosphor *phosphor, int cols,
                      int rows, double epoch_s, const struct crt_kernels *kernels);
