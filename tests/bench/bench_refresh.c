@@ -44,7 +44,7 @@ static uint16_t delta(uint32_t *seed, int *at)
 }
 
 /* Load Status A (sync), point, x, y, long vector, 1000 data, jump 0: 2007 words. */
-static void write_vectors(uint16_t *memory, uint32_t seed)
+static void write_vectors(uint16_t *memory, uint32_t seed, unsigned intensity)
 {
     int x = 512, y = 512;
     unsigned n = 0;
@@ -52,8 +52,8 @@ static void write_vectors(uint16_t *memory, uint32_t seed)
     memory[n++] = DF_SET_MODE | DF_MODE_POINT << DF_MODE_SHIFT;
     memory[n++] = (uint16_t)x;
     memory[n++] = (uint16_t)y;
-    memory[n++] = DF_SET_MODE | DF_MODE_LONG << DF_MODE_SHIFT | DF_SGM_INTENSITY |
-                  7 << DF_SGM_INTENSITY_SHIFT;
+    memory[n++] = (uint16_t)(DF_SET_MODE | DF_MODE_LONG << DF_MODE_SHIFT | DF_SGM_INTENSITY |
+                             intensity << DF_SGM_INTENSITY_SHIFT);
     for (int i = 0; i < VECTORS; i++) {
         memory[n++] = (uint16_t)(DF_BEAM_ON | delta(&seed, &x));
         memory[n++] = delta(&seed, &y);
@@ -125,7 +125,8 @@ static bool set_up(struct rig *rig, enum crt_simd simd)
     return true;
 }
 
-static void refresh(enum crt_simd simd, const char *name, bool changing, int refreshes)
+static void refresh(enum crt_simd simd, const char *name, bool changing, unsigned intensity,
+                    int refreshes)
 {
     static uint16_t set[SETS][2 * VECTORS + 8];
     struct crt_error err;
@@ -134,7 +135,7 @@ static void refresh(enum crt_simd simd, const char *name, bool changing, int ref
     if (!set_up(&rig, simd) || !df_program_init(&program, &err))
         return;
     for (unsigned i = 0; i < SETS; i++)
-        write_vectors(set[i], i + 1);
+        write_vectors(set[i], i + 1, intensity);
     for (uint32_t i = 0; i < 2 * VECTORS + 7; i++)
         df_program_put(&program, 2 * i, set[0][i]);
     if (!vm_machine_load(rig.machine, &program, "vectors", &err))
@@ -156,9 +157,9 @@ static void refresh(enum crt_simd simd, const char *name, bool changing, int ref
             lit = lit ? lit : lit_cells(&rig.film);
     }
     double each = (seconds() - start) / refreshes;
-    printf("refresh: %-8s %-8s %4.0f refreshes/s, %5.2f ms each, %.2f ns per lit cell (%zu lit; "
-           "floor %.2f ns)\n",
-           changing ? "changing" : "static", name, 1 / each, each * 1e3, each * 1e9 / (double)lit,
+    printf("refresh: %-8s intensity %u %-8s %4.0f refreshes/s, %5.2f ms each, %.2f ns per lit cell "
+           "(%zu lit; floor %.2f ns)\n",
+           changing ? "changing" : "static", intensity, name, 1 / each, each * 1e3, each * 1e9 / (double)lit,
            lit, floor_ns((size_t)rig.film.grid.cols * (size_t)rig.film.grid.rows));
     df_program_free(&program);
     crt_film_free(&rig.film);
@@ -198,10 +199,12 @@ static void tour(const char *path)
 
 int main(void)
 {
-    for (int changing = 1; changing >= 0; changing--) {
-        refresh(CRT_SIMD_BASELINE, "baseline", changing, 300);
-        refresh(CRT_SIMD_AUTO, "best", changing, 300);
-    }
+    /* 4 is the intensity after power-on; 7 is the widest spot. */
+    for (unsigned intensity = 4; intensity <= 7; intensity += 3)
+        for (int changing = 1; changing >= 0; changing--) {
+            refresh(CRT_SIMD_BASELINE, "baseline", changing, intensity, 300);
+            refresh(CRT_SIMD_AUTO, "best", changing, intensity, 300);
+        }
     static const char *const programs[] = {"charset", "testcard", "logic", "rose",
                                            "spin",    "radar",    "growing", "lander"};
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
