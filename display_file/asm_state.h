@@ -1,11 +1,11 @@
-/* asm_state.h — what the parts of the assembler share. Private to display_file/asm_*.c and
- * listing.c.
+/* asm_state.h — what the parts of the assembler share. Private to display_file/asm*.c.
  *
  * Passes:     two runs over the same source by the same code. Pass 1 finds addresses; pass 2 has
- * every label and puts words. Whatever decides how many words there are may use only names already
- *             defined above it, so that both passes lay the words out alike.
+ *             every label and puts words. Whatever decides how many words there are may use only
+ *             names already defined above it, so that both passes lay the words out alike.
  * Errors:     one an executed line; a line that failed in pass 1 stays silent in pass 2. What an
- * error leaves undefined is poison: it spreads without being reported again.
+ *             error leaves undefined is poison: it spreads without being reported again.
+ * Ownership:  df_assemble_* own the struct and free what is in it.
  */
 #ifndef DF_ASM_STATE_H
 #define DF_ASM_STATE_H
