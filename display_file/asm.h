@@ -1,7 +1,7 @@
 /* asm.h — the assembler for .df display-file source.
  *
- * Models:     two passes over the source (and what it includes); all errors of a run are reported at
- *             once, each as
+ * Models:     two passes over the source (and what it includes); all errors of a run are reported
+ *             at once, each as
  *
  *                  FILE:LINE:COLUMN: what is wrong; what was expected
  *                      the source line

@@ -1,9 +1,10 @@
-/* beam.h — lights stretches of beam: offers them to the pen, cuts them where it fires, commits them.
+/* beam.h — lights stretches of beam: offers them to the pen, cuts them at a hit, commits them.
  *
  *      stretch ─▶ offer ─▶ no hit ─▶ commit
  *                   └─▶ hit at t ─▶ commit up to t ─▶ latch, intensify spot ─▶ (rest, if any)
  *
- * Models:     the hit flag and position latch; the spot of level 7 that pen intensify adds at a hit.
+ * Models:     the hit flag and position latch; the spot of level 7 that pen intensify adds at
+ *             a hit.
  * Time:       picoseconds.  Position: head units, fractional.
  * Ownership:  works on the caller's struct df_dpu, allocates nothing.
  * Errors:     none. Stretches of no duration are dropped. A firing time outside the stroke counts

@@ -1,7 +1,7 @@
 /* disasm.h — words back to .df source that assembles to the same words.
  *
- * Models:     assemble(disassemble(x)) == x for any words at any addresses, entry and tube included:
- *             what no mnemonic says exactly is written as an octal .word.
+ * Models:     assemble(disassemble(x)) == x for any words at any addresses, entry and tube
+ *             included: what no mnemonic says exactly is written as an octal .word.
  * Units:      addresses are byte addresses, in octal.
  * Ownership:  df_disassemble returns malloced text.
  * Errors:     NULL when memory is out; df_disassemble_word has none.

@@ -2,10 +2,10 @@
  *
  * .oct        one octal word a line; `@octal` sets the byte address, `=octal` the entry, `;` starts
  *             a comment
- * .lda        DEC absolute tape: blocks 001 000, count, address, bytes, checksum; a block of count 6
- *             ends it and names the transfer address (odd = none: the lowest address then); that
- *             one's checksum may be missing. Display words only: a PDP-11 program in the tape is not
- *             executed, and a tape whose transfer address does not point at a display word that
+ * .lda        DEC absolute tape: blocks 001 000, count, address, bytes, checksum; a block of count
+ *             6 ends it and names the transfer address (odd = none: the lowest address then); that
+ *             one's checksum may be missing. Display words only: a PDP-11 program in the tape is
+ *             not executed, and a tape whose transfer address does not point at a display word that
  *             could start a display file is refused with a sentence saying that it needs a PDP-11.
  *             "Could start" means: it is a control word, and going on from it, through jumps, over
  *             loaded words none of which is illegal, comes to a stop or back to a word already
