@@ -274,6 +274,8 @@ bool df_asm_dec_value(struct df_asm *as, struct df_argument *argument);
 bool df_asm_dec_symbol(const char *name, uint32_t length, double *value);
 void df_asm_dec_statement(struct df_asm *as);
 bool df_asm_dec_directive(struct df_asm *as);
+/* A mnemonic or directive of the DEC dialect? */
+bool df_asm_dec_knows(const struct df_token *name);
 const char *df_asm_dec_name(const struct df_asm *as, uint32_t index);
 
 /* asm_output.c */
