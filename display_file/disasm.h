@@ -14,7 +14,8 @@
 
 #include "display_file/program.h"
 
-/* The whole program as source text; NULL only when memory is out. */
+/* The whole program as source text; NULL only when memory is out. Comments tell addresses and name
+ * the special characters of strings. */
 char *df_disassemble(const struct df_program *program);
 
 /* One word on its own, for traces and the status line: `mode` is the graphic mode it would be read

@@ -214,8 +214,7 @@ void df_dpu_schedule(struct df_dpu *dpu, uint64_t lead, uint64_t lit, uint64_t *
     dpu->clock = *t1;
 }
 
-/* Assumed: the attempt takes as long as a fetch, and DPC is past the word as after other interrupts.
- */
+/* Assumed: the attempt takes as long as a fetch, and DPC is past the word, as at any interrupt. */
 static void time_out(struct df_dpu *dpu)
 {
     dpu->t += dpu->desc.timing.fetch_ps;

@@ -107,10 +107,10 @@ struct df_dpu {
 
     /* registers (dpu_control.c sets them, dpu.c reads them out) */
     unsigned mode, intensity, line_type, step;
-    unsigned opcode; /* MPR 74000: of the last control word, or the mode of the last datum */
+    unsigned opcode; /* MPR 74000: assumed to be of the last control word or datum */
     bool blink, italics, shift_out, pen_interrupt, pen_intensify, stop_interrupt;
     bool internal_stop, hit, edge;
-    bool so_error;         /* MPR 100: a code of 40 or more while shifted out */
+    bool so_error;         /* MPR 100, assumed: a code of 40 or more while shifted out */
     int32_t x, y;          /* position, 12-bit two's complement range wraps */
     uint16_t hit_x, hit_y; /* latched at a pen hit */
     uint16_t character;    /* the last code the character generator took */

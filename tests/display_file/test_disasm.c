@@ -151,6 +151,23 @@ static void tube_comes_back(void **state)
     }
 }
 
+static void special_characters_are_named(void **state)
+{
+    (void)state;
+    struct df_program p;
+    source_program(
+        "char\ntext \"A\", so, 0, 1, si, 1\nnop\ntext so, 2\nnop\ntext 3, 4\nchar\ntext 5, 5", &p);
+    char *text = df_disassemble(&p);
+    assert_non_null(text);
+    assert_non_null(strstr(text, "; 000002 lambda alpha\n")); /* and 1 is nothing after si */
+    assert_non_null(strstr(text, "; 000012 phi\n"));
+    assert_non_null(strstr(text, "; 000014\n"));
+    assert_non_null(strstr(text, "; 000016 Sigma delta\n")); /* still shifted out */
+    assert_non_null(strstr(text, "; 000020\n"));             /* a mode word shifts in */
+    free(text);
+    df_program_free(&p);
+}
+
 static void nothing(void **state)
 {
     (void)state;
@@ -341,6 +358,7 @@ int main(void)
         cmocka_unit_test(what_no_statement_says),
         cmocka_unit_test(places_and_entry),
         cmocka_unit_test(tube_comes_back),
+        cmocka_unit_test(special_characters_are_named),
         cmocka_unit_test(nothing),
         cmocka_unit_test(single_words),
         cmocka_unit_test(a_million_random_words_come_back),

@@ -213,7 +213,7 @@ static void status_a_without_stop_clears_the_stop_flag(void **state)
 static void status_a_has_one_sync_bit(void **state)
 {
     (void)state;
-    /* The VS60's other refresh bit and its menu bits mean nothing; bit 4 waits whatever they are. */
+    /* The VS60's other refresh bit and its menu bits mean nothing; bit 4 waits in any case. */
     for (unsigned bits = 0; bits < 020; bits++) {
         rig_init(r);
         LOAD(r, 0, (uint16_t)(0170000 | bits), DF_STOP);
