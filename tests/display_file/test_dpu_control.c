@@ -105,7 +105,9 @@ static void spare_words_hang(void **state)
         assert_int_equal(r->event_count, 0);
         /* The CPU ends it, by START elsewhere … */
         LOAD(r, 0200, DF_STOP);
-        rig_go(r, 0200);
+        df_dpu_write(&r->dpu, DF_DPC, 0200, r->dpu.t);
+        assert_false(r->dpu.illegal);
+        rig_continue(r);
         assert_int_equal(r->dpu.state, DF_STOPPED);
         assert_false(r->dpu.illegal);
         /* … or by changing the word. */
