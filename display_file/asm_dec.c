@@ -415,14 +415,29 @@ static const struct df_asm_statement directives[] = {
     {".dsabl", directive_ignored, 0}, {".asect", directive_ignored, 0},
 };
 
-bool df_asm_dec_directive(struct df_asm *as)
+static const struct df_asm_statement *directive_of(const struct df_token *name)
 {
     for (unsigned i = 0; i < sizeof directives / sizeof directives[0]; i++) {
-        if (df_token_is(&as->lex.token, directives[i].name)) {
-            df_lex_next(&as->lex);
-            directives[i].handler(as, directives[i].what);
-            return true;
+        if (df_token_is(name, directives[i].name)) {
+            return &directives[i];
         }
     }
-    return false;
+    return NULL;
+}
+
+bool df_asm_dec_directive(struct df_asm *as)
+{
+    const struct df_asm_statement *directive = directive_of(&as->lex.token);
+    if (directive == NULL) {
+        return false;
+    }
+    df_lex_next(&as->lex);
+    directive->handler(as, directive->what);
+    return true;
+}
+
+bool df_asm_dec_knows(const struct df_token *name)
+{
+    double value;
+    return directive_of(name) != NULL || df_asm_dec_symbol(name->text, name->length, &value);
 }

@@ -1,8 +1,10 @@
 /* asm_lex.h — one line of .df source into tokens, in either dialect.
  *
+ * Models:     the words of display_file/LANGUAGE.md: names, numbers, strings, operators, comments.
+ * Units:      columns are bytes from 1.
  * Ownership:  tokens point into the line, which must outlive them.
  * Errors:     a malformed token is DF_TOKEN_BAD; `message` then says what is wrong.
- * Columns:    bytes from 1.
+ * Source:     the DEC dialect's numbers and characters after DEC's MACRO-11 manual.
  */
 #ifndef DF_ASM_LEX_H
 #define DF_ASM_LEX_H
@@ -44,8 +46,7 @@ struct df_lexer {
 /* Starts a line and takes its first token. */
 void df_lex_start(struct df_lexer *lex, const char *line, uint32_t length, bool dec);
 void df_lex_next(struct df_lexer *lex);
-/* Takes the current token again as a quoted string, which in the DEC dialect it is not by itself.
- */
+/* Takes the current token again as a quoted string; in the DEC dialect it is none by itself. */
 void df_lex_string_again(struct df_lexer *lex);
 /* Takes the token that starts at `position` (0-based) next. */
 void df_lex_seek(struct df_lexer *lex, uint32_t position);

@@ -63,7 +63,10 @@ static void unknown_statement(struct df_asm *as)
     int shown = name.length > 40 ? 40 : (int)name.length;
     const char *nearest =
         df_asm_nearest(as, &name, false, directive ? df_asm_directive_name : statement_or_macro);
-    if (nearest != NULL) {
+    if (!as->dec && df_asm_dec_knows(&name)) {
+        df_asm_error(as, name.column, "'%.*s' is of the DEC dialect; expected .dialect dec above",
+                     shown, name.text);
+    } else if (nearest != NULL) {
         df_asm_error(as, name.column, "unknown %s '%.*s'; did you mean '%s'?",
                      directive ? "directive" : "statement", shown, name.text, nearest);
     } else {

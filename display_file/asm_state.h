@@ -1,11 +1,11 @@
-/* asm_state.h — what the parts of the assembler share. Private to display_file/asm_*.c and
- * listing.c.
+/* asm_state.h — what the parts of the assembler share. Private to display_file/asm*.c.
  *
  * Passes:     two runs over the same source by the same code. Pass 1 finds addresses; pass 2 has
- * every label and puts words. Whatever decides how many words there are may use only names already
- *             defined above it, so that both passes lay the words out alike.
+ *             every label and puts words. Whatever decides how many words there are may use only
+ *             names already defined above it, so that both passes lay the words out alike.
  * Errors:     one an executed line; a line that failed in pass 1 stays silent in pass 2. What an
- * error leaves undefined is poison: it spreads without being reported again.
+ *             error leaves undefined is poison: it spreads without being reported again.
+ * Ownership:  df_assemble_* own the struct and free what is in it.
  */
 #ifndef DF_ASM_STATE_H
 #define DF_ASM_STATE_H
@@ -274,6 +274,8 @@ bool df_asm_dec_value(struct df_asm *as, struct df_argument *argument);
 bool df_asm_dec_symbol(const char *name, uint32_t length, double *value);
 void df_asm_dec_statement(struct df_asm *as);
 bool df_asm_dec_directive(struct df_asm *as);
+/* A mnemonic or directive of the DEC dialect? */
+bool df_asm_dec_knows(const struct df_token *name);
 const char *df_asm_dec_name(const struct df_asm *as, uint32_t index);
 
 /* asm_output.c */

@@ -67,11 +67,15 @@ static const struct option *option_of(const struct option *options, const struct
 
 static void unknown_option(struct df_asm *as, const struct option *options)
 {
-    char list[128] = "";
+    char list[192] = "";
     for (; options->name != NULL; options++) {
         size_t used = strlen(list);
         snprintf(list + used, sizeof list - used, "%s%s%s", used > 0 ? ", " : "", options->name,
                  options->flag ? "" : "=");
+    }
+    if (df_token_is_op(&as->lex.token, '!')) {
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, " (for words joined by '!': .dialect dec above)");
     }
     df_asm_unexpected(as, list);
 }

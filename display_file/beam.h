@@ -1,14 +1,16 @@
-/* beam.h — lights stretches of beam: offers them to the pen, cuts them where it fires, commits
- * them.
+/* beam.h — lights stretches of beam: offers them to the pen, cuts them at a hit, commits them.
  *
  *      stretch ─▶ offer ─▶ no hit ─▶ commit
  *                   └─▶ hit at t ─▶ commit up to t ─▶ latch, intensify spot ─▶ (rest, if any)
  *
- * Models:     the hit flag and position latch; the spot of level 7 that pen intensify adds at a
- * hit. Time:       picoseconds.  Position: head units, fractional. Errors:     none. Stretches of
- * no duration are dropped. A firing time outside the stroke counts as none when late and as the
- * stroke's start when early. Source:     DEC EK-VT11-TM-001; one hit per vector, point or character
- * is assumed.
+ * Models:     the hit flag and position latch; the spot of level 7 that pen intensify adds at
+ *             a hit.
+ * Time:       picoseconds.  Position: head units, fractional.
+ * Ownership:  works on the caller's struct df_dpu, allocates nothing.
+ * Errors:     none. Stretches of no duration are dropped. A firing time outside the stroke counts
+ *             as none when late and as the stroke's start when early.
+ * Source:     DEC EK-VT11-TM-001; one hit per vector, point or character is assumed.
+ * Not modelled: the pen itself: its aperture, band and threshold are the caller's.
  */
 #ifndef DF_BEAM_H
 #define DF_BEAM_H

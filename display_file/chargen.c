@@ -67,6 +67,7 @@ static void cell(struct df_dpu *dpu, const struct df_glyph *glyph)
         bool starts_on = df_on_screen(dpu, dpu->x, dpu->y);
         bool ends_on = df_on_screen(dpu, end, dpu->y);
 
+        /* Assumed: the edge indicator tells of the last character whether it left the screen. */
         dpu->edge = starts_on && !ends_on;
         if (starts_on && ends_on && !df_blinked_out(dpu, t0))
             draw(dpu, glyph, t0, t1);
@@ -106,7 +107,7 @@ void df_chargen_code(struct df_dpu *dpu, unsigned code)
         shifted_out(dpu, code);
         return;
     }
-    if (code == NUL) /* not even copied to the character register */
+    if (code == NUL) /* assumed: not even copied to the character register */
         return;
     dpu->character = (uint16_t)code;
     switch (code) {

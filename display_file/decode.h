@@ -1,8 +1,12 @@
 /* decode.h — one statement's worth of display-file words as the text of a .df statement.
  *
- * A statement is written only when it assembles back to exactly these words; else they come as an
- * octal .word. Encoding again what was decoded is how that is made sure of. Errors:     none: every
- * word has a text. Source:     DEC EK-VT11-TM-001.
+ * Models:     a statement is written only when it assembles back to exactly these words; else they
+ *             come as an octal .word. Encoding again what was decoded is how that is made sure of.
+ * Units:      positions and deltas in head units, as the words have them.
+ * Ownership:  writes into the caller's buffer.
+ * Errors:     none: every word has a text, cut to the size given and always terminated.
+ * Source:     DEC EK-VT11-TM-001; the statements are those of display_file/LANGUAGE.md.
+ * Not modelled: labels and layout, which are disasm.h's.
  */
 #ifndef DF_DECODE_H
 #define DF_DECODE_H

@@ -1,7 +1,9 @@
-/* df_regs.h — the display processor as a program sees it: register offsets and bits, words and modes.
+/* df_regs.h — the display processor as a program sees it: registers, bits, words and modes.
  *
- * Usable from C and from assembly: #defines only. Register values are 16-bit; offsets are bytes from
- * the DPU base. Source: DEC EK-VT11-TM-001 (VT11 display processor).
+ * Models:     the VT11's programming interface; usable from C and from assembly: #defines only.
+ * Units:      register values are 16-bit; offsets are bytes from the DPU base.
+ * Source:     DEC EK-VT11-TM-001 (VT11 display processor).
+ * Not modelled: the registers and words that only the VS60 has.
  */
 #ifndef DF_REGS_H
 #define DF_REGS_H
@@ -29,13 +31,13 @@
 #define DF_YPR_Y    0001777
 
 /* Control words. */
-#define DF_CONTROL      0100000 /* bit 15: control, else data */
-#define DF_SET_MODE     0100000 /* + mode << 11 */
-#define DF_JUMP         0160000 /* address follows; VT11: all of 160000–163777 */
-#define DF_NOP          0164000 /* VT11: all of 164000–167777 */
-#define DF_STATUS_A     0170000
-#define DF_STATUS_B     0174000
-#define DF_STOP         0172000
+#define DF_CONTROL  0100000 /* bit 15: control, else data */
+#define DF_SET_MODE 0100000 /* + mode << 11 */
+#define DF_JUMP     0160000 /* address follows; VT11: all of 160000–163777 */
+#define DF_NOP      0164000 /* VT11: all of 164000–167777 */
+#define DF_STATUS_A 0170000
+#define DF_STATUS_B 0174000
+#define DF_STOP     0172000
 
 /* Graphic modes: bits 14:11 of Set Graphic Mode. */
 #define DF_MODE_SHIFT    11
@@ -61,14 +63,14 @@
 #define DF_LINE_DOTDASH        3
 
 /* Parameters of Load Status A. */
-#define DF_LSA_STOP            0002000
-#define DF_LSA_STOP_INT        0001000 /* change stop interrupt */
-#define DF_LSA_STOP_INT_ON     0000400
-#define DF_LSA_INTENSIFY       0000200 /* change light-pen intensify */
-#define DF_LSA_INTENSIFY_OFF   0000100
-#define DF_LSA_ITALICS         0000040
-#define DF_LSA_ITALICS_ON      0000020
-#define DF_LSA_SYNC            0000004 /* wait for the line sync tick; no change-enable */
+#define DF_LSA_STOP          0002000
+#define DF_LSA_STOP_INT      0001000 /* change stop interrupt */
+#define DF_LSA_STOP_INT_ON   0000400
+#define DF_LSA_INTENSIFY     0000200 /* change light-pen intensify */
+#define DF_LSA_INTENSIFY_OFF 0000100
+#define DF_LSA_ITALICS       0000040
+#define DF_LSA_ITALICS_ON    0000020
+#define DF_LSA_SYNC          0000004 /* wait for the line sync tick; no change-enable */
 
 /* Parameters of Load Status B. */
 #define DF_LSB_STEP  0000100 /* change graphplot step to bits 77 */

@@ -6,11 +6,15 @@
 
 #include "display_file/decode.h"
 #include "display_file/df_regs.h"
+#include "display_file/glyphs.h"
 #include "display_file/text_buffer.h"
 
 #define COMMENT_COLUMN 56
 #define TEXT_WORDS     20 /* of one text statement */
 #define LIST_WORDS     8  /* of one .word or value statement */
+
+#define SHIFT_OUT 016
+#define SHIFT_IN  017
 
 enum { PLAIN = 0, TARGET = 1, BOUNDARY = 2 };
 
@@ -19,6 +23,7 @@ struct disassembly {
     struct df_text text;
     uint8_t *marks; /* a word: jumped to, start of a statement */
     unsigned mode;  /* as the assembler will track it */
+    bool shifted;   /* special characters follow, as far as the text above tells */
 };
 
 #define NO_MODE 16u
@@ -98,10 +103,34 @@ static void add_place(struct disassembly *d, uint32_t address)
     df_text_add(&d->text, labelled(d, address) ? "L%06o" : "0o%06o", (unsigned)address);
 }
 
-static void add_comment(struct disassembly *d, uint32_t address)
+/* The name of a code that draws a special character: no string shows which it is. */
+static void add_special(struct disassembly *d, unsigned code)
+{
+    if (!d->shifted) {
+        d->shifted = code == SHIFT_OUT;
+        return;
+    }
+    const char *name = df_glyph_special_name(code);
+    if (name != NULL) {
+        df_text_add(&d->text, " %s", name);
+    }
+    d->shifted = code != SHIFT_IN;
+}
+
+static void add_comment(struct disassembly *d, uint32_t address, const struct df_decoded *decoded)
 {
     df_text_column(&d->text, COMMENT_COLUMN);
-    df_text_add(&d->text, "; %06o\n", (unsigned)address);
+    df_text_add(&d->text, "; %06o", (unsigned)address);
+    if (decoded->sets_mode || decoded->jump) {
+        d->shifted = false;
+    } else if (d->mode == DF_MODE_CHAR && !(d->program->words[address / 2] & DF_CONTROL)) {
+        for (uint32_t i = 0; i < decoded->words; i++) {
+            uint16_t word = d->program->words[address / 2 + i];
+            add_special(d, word & 0177);
+            add_special(d, word >> 8 & 0177);
+        }
+    }
+    df_text_add(&d->text, "\n");
 }
 
 static uint32_t write_statement(struct disassembly *d, uint32_t address)
@@ -117,7 +146,7 @@ static uint32_t write_statement(struct disassembly *d, uint32_t address)
     if (decoded.jump) {
         add_place(d, d->program->words[address / 2 + 1]);
     }
-    add_comment(d, address);
+    add_comment(d, address, &decoded);
     if (decoded.sets_mode && decoded.raw) {
         df_text_add(&d->text, "        .mode   %s\n", df_mode_name(decoded.mode));
     }

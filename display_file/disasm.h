@@ -1,20 +1,25 @@
 /* disasm.h — words back to .df source that assembles to the same words.
  *
- * assemble(disassemble(x)) == x for any words at any addresses: what no mnemonic says exactly is
- * written as an octal .word.
- * What the assembler refuses cannot come back: the entry must hold a word, below 64 KiB.
+ * Models:     assemble(disassemble(x)) == x for any words at any addresses, entry and tube
+ *             included: what no mnemonic says exactly is written as an octal .word.
+ * Units:      addresses are byte addresses, in octal.
  * Ownership:  df_disassemble returns malloced text.
+ * Errors:     NULL when memory is out; df_disassemble_word has none.
+ * Source:     the language is display_file/LANGUAGE.md.
+ * Not modelled: what the assembler refuses cannot come back: the entry must hold a word, below
+ *             64 KiB. Macros, constants and comments are lost.
  */
 #ifndef DF_DISASM_H
 #define DF_DISASM_H
 
 #include "display_file/program.h"
 
-/* The whole program as source text; NULL only when memory is out. */
+/* The whole program as source text; NULL only when memory is out. Comments tell addresses and name
+ * the special characters of strings. */
 char *df_disassemble(const struct df_program *program);
 
-/* One word on its own, for traces and the status line: `mode` is the graphic mode it would be read in (DF_MODE_*).
- * Writes at most `size` bytes, always terminated. */
+/* One word on its own, for traces and the status line: `mode` is the graphic mode it would be read
+ * in (DF_MODE_*). Writes at most `size` bytes, always terminated. */
 void df_disassemble_word(uint16_t word, unsigned mode, char *text, unsigned long size);
 
 #endif

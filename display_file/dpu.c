@@ -146,7 +146,7 @@ uint16_t df_dpu_read(const struct df_dpu *dpu, unsigned offset)
     }
 }
 
-/* What START and RESUME have in common: every cause of a stop is forgotten. */
+/* What START and (assumed) RESUME have in common: every cause of a stop is forgotten. */
 static void clear_flags(struct df_dpu *dpu, uint64_t t)
 {
     dpu->internal_stop = dpu->timeout = dpu->hit = dpu->edge = dpu->so_error = false;
@@ -165,7 +165,8 @@ static void start(struct df_dpu *dpu, uint16_t address, uint64_t t)
     dpu->state = DF_RUNNING;
 }
 
-/* Goes on where the processor stopped: first with what an interrupt left undrawn. */
+/* Goes on where the processor stopped: first with what an interrupt left undrawn. Assumed: a wait
+ * for the sync tick goes on. */
 static void resume(struct df_dpu *dpu, uint64_t t)
 {
     clear_flags(dpu, t);
@@ -213,6 +214,7 @@ void df_dpu_schedule(struct df_dpu *dpu, uint64_t lead, uint64_t lit, uint64_t *
     dpu->clock = *t1;
 }
 
+/* Assumed: the attempt takes as long as a fetch, and DPC is past the word, as at any interrupt. */
 static void time_out(struct df_dpu *dpu)
 {
     dpu->t += dpu->desc.timing.fetch_ps;

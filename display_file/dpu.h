@@ -1,20 +1,22 @@
 /* dpu.h — the display processor: a DEC VT11, word by word.
  *
- *                    ┌──────────────────────────────┐
+ *                    ┌───────────────────────────────┐
  *   display memory ─▶│ fetch ─▶ decode ─▶ vector gen │─▶ offer ─▶ (pen) ─▶ commit ─▶ tube
- *      START/RESUME ─▶│ DPC MPR XPR YPR    char gen   │─▶ interrupt lines: stop, pen, character
- *         sync tick ─▶└──────────────────────────────┘─▶ bell
+ *     START/RESUME ─▶│ DPC MPR XPR YPR    char gen   │─▶ interrupt lines: stop, pen, character
+ *        sync tick ─▶└───────────────────────────────┘─▶ bell
  *
  * Models:     the VT11 instruction set bit for bit: modes, data, status words, registers and their
- *             write effects, wrap at 12 bits, dashes, blink, italics, shift-out, stop, pen,
- * character and bus time-out interrupts, the re-fetch hang of illegal words. Time: picoseconds; `t`
- * is the fetch time of the next word. Every word costs more than 0 ps. The generators start when
- * the word (or its last word) has been decoded. Position:   registers in head units; strokes leave
- * in tube millimetres through desc.screen. Ownership:  the caller owns the struct; memory, screen
- * and contexts must outlive it. Allocates nothing. Errors:     guest trouble becomes a status bit,
- * an interrupt or a hang as in hardware. Source:     DEC EK-VT11-TM-001; open questions are marked
- * "assumed" where they are decided. Not modelled: bus contention, analog drift, the VS60 superset
- * (illegal words here).
+ *             write effects, wrap at 12 bits, dashes, blink, italics, shift-out; stop, pen,
+ *             character and bus time-out interrupts; the re-fetch hang of illegal words.
+ * Time:       picoseconds; `t` is the fetch time of the next word. Every word costs more than 0 ps.
+ *             The generators start when the word (or its last word) has been decoded.
+ * Position:   registers in head units; strokes leave in tube millimetres through desc.screen.
+ * Ownership:  the caller owns the struct; memory, screen and contexts must outlive it. Allocates
+ *             nothing.
+ * Errors:     guest trouble becomes a status bit, an interrupt or a hang as in hardware; misuse
+ *             asserts.
+ * Source:     DEC EK-VT11-TM-001; open questions are marked "assumed" where they are decided.
+ * Not modelled: bus contention, analog drift, the VS60 superset (illegal words here).
  */
 #ifndef DF_DPU_H
 #define DF_DPU_H
@@ -105,10 +107,10 @@ struct df_dpu {
 
     /* registers (dpu_control.c sets them, dpu.c reads them out) */
     unsigned mode, intensity, line_type, step;
-    unsigned opcode; /* MPR 74000: of the last control word, or the mode of the last datum */
+    unsigned opcode; /* MPR 74000: assumed to be of the last control word or datum */
     bool blink, italics, shift_out, pen_interrupt, pen_intensify, stop_interrupt;
     bool internal_stop, hit, edge;
-    bool so_error;         /* MPR 100: a code of 40 or more while shifted out */
+    bool so_error;         /* MPR 100, assumed: a code of 40 or more while shifted out */
     int32_t x, y;          /* position, 12-bit two's complement range wraps */
     uint16_t hit_x, hit_y; /* latched at a pen hit */
     uint16_t character;    /* the last code the character generator took */

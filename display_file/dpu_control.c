@@ -23,7 +23,7 @@ static void no_operation(struct df_dpu *dpu, uint16_t word)
     dpu->instructions++;
 }
 
-/* A spare code: the processor fetches the same word again and again. */
+/* A spare code, or one of the VS60: the processor fetches the same word again and again. */
 static void illegal(struct df_dpu *dpu, uint16_t word)
 {
     (void)word;

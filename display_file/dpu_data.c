@@ -97,7 +97,7 @@ static void point(struct df_dpu *dpu, uint16_t word)
 
     if (!second_word(dpu, word))
         return;
-    dpu->edge = false;
+    dpu->edge = false; /* assumed, as in graphplot: an absolute coordinate is on screen */
     plot(dpu, first & DF_BEAM_ON, first & DF_LONG_DELTA, word & DF_LONG_DELTA);
 }
 

@@ -42,7 +42,8 @@ static inline bool df_on_screen(const struct df_dpu *dpu, int32_t x, int32_t y)
     return x >= 0 && x <= dpu->max_x && y >= 0 && y <= dpu->max_y;
 }
 
-/* Blinking items are dark in every second 266 ms. */
+/* Blinking items are dark in every second 266 ms; assumed: lit first, and decided when an item
+ * begins. */
 #define DF_BLINK_HALF_PS (266 * CRT_PS_PER_MS)
 
 static inline bool df_blinked_out(const struct df_dpu *dpu, uint64_t t)

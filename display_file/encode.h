@@ -1,8 +1,12 @@
 /* encode.h — display-file data words from numbers, for the assembler and the disassembler.
  *
- * Deltas are sign-magnitude, so a delta of 0 is written with a positive sign.
- * Errors:     a number outside its range asserts.
+ * Models:     the data formats of the VT11. Deltas are sign-magnitude: one of 0 is written with a
+ *             positive sign.
+ * Units:      head units.
+ * Ownership:  values in, values out.
+ * Errors:     a number outside its range asserts: callers check what users write.
  * Source:     DEC EK-VT11-TM-001.
+ * Not modelled: negative zero and bits without meaning, which no number says.
  */
 #ifndef DF_ENCODE_H
 #define DF_ENCODE_H

@@ -5,11 +5,15 @@
  *       …
  *      bit 0   · · · · · ·    base line
  *
- * A glyph that descends is drawn with its origin two dots (4 units) lower.
- * Codes:      040–0177 are the 96 ASCII characters (0177 is a filled block); with shift-out 0–037 except 017
- *             are 31 special characters: Greek letters, arrows, mathematics.
- * Also used for text over the glass.
+ * Models:     one pattern a code. A glyph that descends is drawn with its origin two dots (4 units)
+ *             lower.
+ * Codes:      040–0177 are the 96 ASCII characters (0177 is a filled block); with shift-out 0–037
+ *             except 017 are 31 special characters: Greek letters, arrows, mathematics.
+ * Units:      dots. Also used for text over the glass.
+ * Ownership:  constant data.
+ * Errors:     NULL for a code without a glyph.
  * Source:     code assignment after DEC EK-VT11-TM-001; the drawings are ours.
+ * Not modelled: DEC's own dot patterns.
  */
 #ifndef DF_GLYPHS_H
 #define DF_GLYPHS_H

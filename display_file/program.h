@@ -1,9 +1,11 @@
-/* program.h — a display-file program: words at display-memory addresses, an entry, where they came from.
+/* program.h — a display-file program: words at display-memory addresses, an entry, their source.
  *
- * What the assembler and the loaders make and the machine loads.
+ * Models:     what the assembler and the loaders make and the machine loads.
  * Addresses:  even byte addresses in display memory, 0 … DF_MEMORY_BYTES-2.
  * Ownership:  df_program_init allocates, df_program_free releases; plain data between.
- * Errors:     out of memory gives a sentence.
+ * Errors:     out of memory gives a sentence; an odd or too high address asserts.
+ * Source:     the 64 KiB of a VT11 after DEC EK-VT11-TM-001; 256 KiB with VS60 relocation.
+ * Not modelled: relocation; addresses above 64 KiB hold words that a VT11 cannot fetch.
  */
 #ifndef DF_PROGRAM_H
 #define DF_PROGRAM_H
@@ -22,11 +24,10 @@ struct df_program {
     uint32_t *line;  /* same index: file << 24 | line number of the source, 0 = unknown */
     char **files;    /* names for that file index */
     unsigned file_count;
-    uint32_t low,
-        high;       /* the first address loaded and the one after the last; low == high: empty */
+    uint32_t low;   /* the first address loaded */
+    uint32_t high;  /* the one after the last; low == high: empty */
     uint32_t entry; /* where DPC starts */
-    char tube
-        [40]; /* what it was made for (`.tube`): TUBE or TUBE/PHOSPHOR; "" when it does not say */
+    char tube[40];  /* what it was made for: TUBE or TUBE/PHOSPHOR; "": it does not say */
 };
 
 bool df_program_init(struct df_program *p, struct crt_error *err);

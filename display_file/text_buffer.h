@@ -1,5 +1,7 @@
 /* text_buffer.h — text that grows, for listings, reports and disassembly.
  *
+ * Models:     bytes appended to one terminated string.
+ * Units:      bytes; columns are bytes, too.
  * Ownership:  df_text_take hands the malloced text to the caller; df_text_free drops it.
  * Errors:     when memory runs out `failed` is set, later additions do nothing and df_text_take
  *             returns NULL.

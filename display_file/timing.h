@@ -1,11 +1,16 @@
-/* timing.h — how long the display processor and its generators take, in picoseconds.
+/* timing.h — how long the display processor and its generators take.
  *
- * Models:     word fetch and decode; vector set-up plus time per unit of the longer axis; settling after
- *             beam-off moves (fixed part + per unit, with a ceiling); points; character cells and dots.
+ * Models:     word fetch and decode; vector set-up plus time per unit of the longer axis; settling
+ *             after beam-off moves (fixed part + per unit, with a ceiling); points; character cells
+ *             and dots; the spot of pen intensify.
  * Units:      picoseconds; per-unit times in picoseconds a unit.
- * Source:     the figures of a tube row (crt/tube_table.h), most of them estimates with a range.
  * average_ps: when not 0 every instruction takes exactly this long whatever it does (a datum of two
- *             words is one instruction), for textbook arithmetic; beam times inside are scaled to fit.
+ *             words is one instruction), for textbook arithmetic; beam times inside are scaled to
+ *             fit.
+ * Ownership:  a plain value.
+ * Errors:     none here; df_dpu_init limits absurd times.
+ * Source:     the figures of a tube row (crt/tube_table.h), most of them estimates with a range.
+ * Not modelled: bus contention, times that depend on temperature or adjustment.
  */
 #ifndef DF_TIMING_H
 #define DF_TIMING_H

@@ -1,19 +1,24 @@
 /* vecgen.h — the vector generator: vectors, dashes, beam-off moves.
  *
  *      set-up (dark) ─▶ beam moves from unit to unit at constant speed ─▶ end
- *      k = 0                                                         k = units
- *      ├───┼───────┼───────┼─ … ─┼───┤      unit k is lit from k−½ to k+½, the end points half of
- * that
+ *
+ *      k = 0   1       2               units
+ *      ├───┼───────┼───────┼─ … ─┼───────┼───┤     unit k is lit from k−½ to k+½,
+ *                                                  the end points for half of that
  *
  * Models:     constant-speed vectors (time per unit of the longer axis), the line-type counter, the
- * pen's cut in mid-vector and what RESUME draws of it, settling after beam-off moves. Line types: a
- * counter set to 37 (octal) at each vector goes down by one per unit; long dash = bit 4, short dash
- * = bit 3, dot-dash = bits 2 and 1 without bit 3, or not bit 4. Off screen: a vector with an end
- * off screen draws nothing and takes its time (assumed: the manual says what is seen, not how).
+ *             pen's cut in mid-vector and what RESUME draws of it, settling after beam-off moves.
+ * Line types: a counter set to 37 (octal) at each vector goes down by one per unit; long dash =
+ *             bit 4, short dash = bit 3, dot-dash = bits 2 and 1 without bit 3, or not bit 4.
+ * Off screen: a vector with an end off screen draws nothing and takes its time (assumed: the manual
+ *             says what is seen, not how).
  * Time:       picoseconds.  Position: head units.
  * Pen latch:  the unit of the longer axis nearest to the beam; the other coordinate is that of the
- * line there, to the nearest unit, halves away from the start. Source:     DEC EK-VT11-TM-001. Not
- * modelled: slew limits, overshoot, end-point waits of the analog generator.
+ *             line there, to the nearest unit, halves away from the start.
+ * Ownership:  works on the caller's struct df_dpu, allocates nothing.
+ * Errors:     none: every vector has a meaning.
+ * Source:     DEC EK-VT11-TM-001; the times are those of the tube's row.
+ * Not modelled: slew limits, overshoot, end-point waits of the analog generator.
  */
 #ifndef DF_VECGEN_H
 #define DF_VECGEN_H

@@ -125,6 +125,49 @@ static void places_and_entry(void **state)
     df_program_free(&p);
 }
 
+static void tube_comes_back(void **state)
+{
+    (void)state;
+    static const char *const names[] = {
+        "VR17", "VR17/P31", "My tube; No 2", "a", "", "123456789012345678901234567890/45678901"};
+    for (unsigned i = 0; i < sizeof names / sizeof names[0]; i++) {
+        char source[128], expected[128], got[128];
+        struct df_program p;
+        struct df_program again;
+        snprintf(source, sizeof source, ".tube \"%s\"\nnop", names[i]);
+        source_program(names[i][0] != '\0' ? source : "nop", &p);
+        assert_string_equal(p.tube, names[i]);
+        statements_of(&p, got, sizeof got);
+        snprintf(expected, sizeof expected, ".tube   \"%s\"\nL000000: nop\n", names[i]);
+        assert_string_equal(got, names[i][0] != '\0' ? expected : "L000000: nop\n");
+        char *text = df_disassemble(&p);
+        assert_non_null(text);
+        source_program(text, &again);
+        assert_string_equal(again.tube, names[i]);
+        assert_true(source_same(&p, &again));
+        free(text);
+        df_program_free(&p);
+        df_program_free(&again);
+    }
+}
+
+static void special_characters_are_named(void **state)
+{
+    (void)state;
+    struct df_program p;
+    source_program(
+        "char\ntext \"A\", so, 0, 1, si, 1\nnop\ntext so, 2\nnop\ntext 3, 4\nchar\ntext 5, 5", &p);
+    char *text = df_disassemble(&p);
+    assert_non_null(text);
+    assert_non_null(strstr(text, "; 000002 lambda alpha\n")); /* and 1 is nothing after si */
+    assert_non_null(strstr(text, "; 000012 phi\n"));
+    assert_non_null(strstr(text, "; 000014\n"));
+    assert_non_null(strstr(text, "; 000016 Sigma delta\n")); /* still shifted out */
+    assert_non_null(strstr(text, "; 000020\n"));             /* a mode word shifts in */
+    free(text);
+    df_program_free(&p);
+}
+
 static void nothing(void **state)
 {
     (void)state;
@@ -314,6 +357,8 @@ int main(void)
         cmocka_unit_test(jumps_get_labels),
         cmocka_unit_test(what_no_statement_says),
         cmocka_unit_test(places_and_entry),
+        cmocka_unit_test(tube_comes_back),
+        cmocka_unit_test(special_characters_are_named),
         cmocka_unit_test(nothing),
         cmocka_unit_test(single_words),
         cmocka_unit_test(a_million_random_words_come_back),

@@ -105,7 +105,9 @@ static void spare_words_hang(void **state)
         assert_int_equal(r->event_count, 0);
         /* The CPU ends it, by START elsewhere … */
         LOAD(r, 0200, DF_STOP);
-        rig_go(r, 0200);
+        df_dpu_write(&r->dpu, DF_DPC, 0200, r->dpu.t);
+        assert_false(r->dpu.illegal);
+        rig_continue(r);
         assert_int_equal(r->dpu.state, DF_STOPPED);
         assert_false(r->dpu.illegal);
         /* … or by changing the word. */
@@ -210,6 +212,39 @@ static void status_a_without_stop_clears_the_stop_flag(void **state)
     assert_int_equal(r->dpu.state, DF_WAITING_SYNC);
 }
 
+static void status_a_has_one_sync_bit(void **state)
+{
+    (void)state;
+    /* The VS60's other refresh bit and its menu bits mean nothing; bit 4 waits in any case. */
+    for (unsigned bits = 0; bits < 020; bits++) {
+        rig_init(r);
+        LOAD(r, 0, (uint16_t)(0170000 | bits), DF_STOP);
+        unsigned mpr = rig_reg(r, DF_MPR);
+        df_dpu_write(&r->dpu, DF_DPC, 0, 0);
+        df_dpu_step(&r->dpu);
+        assert_int_equal(r->dpu.state, bits & 4 ? DF_WAITING_SYNC : DF_RUNNING);
+        assert_int_equal(rig_reg(r, DF_MPR), mpr | 070000);
+    }
+}
+
+static void stop_words_with_spare_bits_are_stops(void **state)
+{
+    (void)state;
+    /* What the handlers of RT-11 tell apart: DJSR or DRET, DSTAT, DHALT, DNAME. */
+    static const uint16_t words[] = {0173400, 0173420, 0173500, 0173520};
+    for (unsigned i = 0; i < sizeof words / sizeof words[0]; i++) {
+        rig_init(r);
+        LOAD(r, 0, words[i], 01234);
+        rig_go(r, 0);
+        assert_int_equal(r->dpu.state, DF_STOPPED);
+        assert_int_equal(r->event_count, 1);
+        assert_int_equal(r->events[0].line, DF_INT_STOP);
+        assert_int_equal(rig_reg(r, DF_DPC), 2); /* where the handler finds its operand */
+        assert_false(r->dpu.italics);
+        assert_true(r->dpu.pen_intensify);
+    }
+}
+
 static void status_b_sets_the_step(void **state)
 {
     (void)state;
@@ -266,6 +301,8 @@ int main(void)
         cmocka_unit_test(status_a_stops),
         cmocka_unit_test(status_a_changes_only_what_its_enables_say),
         cmocka_unit_test(status_a_without_stop_clears_the_stop_flag),
+        cmocka_unit_test(status_a_has_one_sync_bit),
+        cmocka_unit_test(stop_words_with_spare_bits_are_stops),
         cmocka_unit_test(status_b_sets_the_step),
         cmocka_unit_test(control_word_drops_half_a_datum),
     };

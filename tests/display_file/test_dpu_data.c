@@ -199,6 +199,33 @@ static void edge_indicator(void **state)
     assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_EDGE, 0);
 }
 
+static uint16_t delta(int d)
+{
+    return (uint16_t)(d < 0 ? 020000 - d : d);
+}
+
+/* Past each corner at 45°, both ways: through it, one unit nearer and one farther. */
+static void edge_indicator_at_the_corners(void **state)
+{
+    (void)state;
+    static const struct {
+        int x, y;   /* the corner */
+        int dx, dy; /* along the line */
+    } corners[] = {{0, 0, 10, -10},       {0, 0, -10, 10},      {1023, 0, 10, 10},
+                   {1023, 0, -10, -10},   {0, 1023, 10, 10},    {0, 1023, -10, -10},
+                   {1023, 1023, 10, -10}, {1023, 1023, -10, 10}};
+    for (unsigned i = 0; i < sizeof corners / sizeof corners[0]; i++)
+        for (int out = -1; out <= 1; out++) {
+            int x = corners[i].x, y = corners[i].y, dx = corners[i].dx, dy = corners[i].dy;
+            int away = x == 0 ? -out : out;
+            rig_init(r);
+            RUN(r, 0114000, (uint16_t)x, (uint16_t)y, 0110000, delta(away - dx), delta(-dy),
+                delta(2 * dx), delta(2 * dy));
+            expect_position(x + away + dx, y + dy);
+            assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_EDGE, out > 0 ? 0 : DF_MPR_EDGE);
+        }
+}
+
 static void points_off_screen_stay_dark(void **state)
 {
     (void)state;
@@ -244,6 +271,7 @@ int main(void)
         cmocka_unit_test(position_wraps_at_twelve_bits),
         cmocka_unit_test(vector_across_the_edge_draws_nothing),
         cmocka_unit_test(edge_indicator),
+        cmocka_unit_test(edge_indicator_at_the_corners),
         cmocka_unit_test(points_off_screen_stay_dark),
         cmocka_unit_test(line_goes_straight_between_its_ends),
     };

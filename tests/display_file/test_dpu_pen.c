@@ -1,6 +1,8 @@
 /* The light pen: hit flag, latch, interrupt in mid-vector, RESUME, intensify spot. */
 #include "tests/support/dpu_rig.h"
 
+#include <stdlib.h>
+
 #include "display_file/glyphs.h"
 
 static struct rig rig;
@@ -171,6 +173,12 @@ static void latch_lies_on_the_line(void **state)
         assert_int_equal(r->dpu.state, DF_WAITING_RESUME);
         assert_int_equal(rig_reg(r, DF_XPR), 500 + cases[i].x);
         assert_int_equal(rig_reg(r, DF_YPR), 600 + cases[i].y);
+        /* The light ends where the beam is, not at a unit; the spot is there, too. */
+        double part = cases[i].at / 100.0 / (abs(dx) > abs(dy) ? abs(dx) : abs(dy));
+        double x = 500 + dx * part, y = 600 + dy * part;
+        if (cases[i].at > 0)
+            rig_expect_stroke(r, 0, 500, 600, x, y);
+        rig_expect_stroke(r, cases[i].at > 0, x, y, x, y);
         df_dpu_write(&r->dpu, DF_DPC, 1, r->dpu.t);
         assert_int_equal(rig_reg(r, DF_XPR), 500 + dx);
     }
@@ -186,6 +194,40 @@ static void hit_at_the_very_start_draws_nothing_before_it(void **state)
     rig_expect_stroke(r, 0, 10, 20, 10, 20);
     df_dpu_write(&r->dpu, DF_DPC, 1, r->dpu.t);
     rig_expect_stroke(r, 1, 10, 20, 110, 20);
+}
+
+static uint64_t fires_at_the_end(void *ctx, const struct crt_stroke *s)
+{
+    (void)ctx;
+    return s->t1;
+}
+
+static uint64_t fires_too_late(void *ctx, const struct crt_stroke *s)
+{
+    (void)ctx;
+    return s->t1 + 1;
+}
+
+static void hit_at_the_very_end_leaves_nothing_to_draw(void **state)
+{
+    (void)state;
+    load_vector(PEN_ON);
+    r->desc.beam.offer = fires_at_the_end;
+    rig_restart(r);
+    rig_go(r, 0);
+    assert_int_equal(r->dpu.state, DF_WAITING_RESUME);
+    assert_int_equal(rig_reg(r, DF_XPR), 110);
+    assert_int_equal(r->count, 2); /* all of it, the spot */
+    rig_expect_stroke(r, 0, 10, 20, 110, 20);
+    df_dpu_write(&r->dpu, DF_DPC, 1, 1000 * US);
+    assert_int_equal(r->count, 2);
+    assert_int_equal(r->dpu.t, 1000 * US);
+    load_vector(PEN_ON);
+    r->desc.beam.offer = fires_too_late;
+    rig_restart(r);
+    rig_go(r, 0);
+    assert_int_equal(r->dpu.state, DF_STOPPED);
+    assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_HIT, 0);
 }
 
 static void dashed_vector_goes_on_in_its_pattern(void **state)
@@ -322,6 +364,7 @@ int main(void)
         cmocka_unit_test(intensify_can_be_turned_off),
         cmocka_unit_test(latch_lies_on_the_line),
         cmocka_unit_test(hit_at_the_very_start_draws_nothing_before_it),
+        cmocka_unit_test(hit_at_the_very_end_leaves_nothing_to_draw),
         cmocka_unit_test(dashed_vector_goes_on_in_its_pattern),
         cmocka_unit_test(point_is_finished_before_the_stop),
         cmocka_unit_test(first_and_last_columns_give_no_hits),

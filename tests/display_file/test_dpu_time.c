@@ -139,6 +139,54 @@ static void average_charges_every_instruction_the_same(void **state)
     assert_int_equal(r->strokes[1].t1, t0 + w);
 }
 
+/* What an interrupt leaves for RESUME takes its share of the instruction's time then. */
+static void average_is_shared_with_resume(void **state)
+{
+    (void)state;
+    rig_init(r);
+    r->desc.timing.average_ps = 20 * US;
+    rig_restart(r);
+    /* A bad code first: its half at once, the second character's half after RESUME. */
+    LOAD(r, 0, 0100000, 016 << 8, 'A' | 1 << 8, DF_STOP);
+    rig_go(r, 0);
+    assert_int_equal(r->dpu.state, DF_WAITING_RESUME);
+    assert_int_equal(r->dpu.t, 50 * US);
+    df_dpu_write(&r->dpu, DF_DPC, 1, 100 * US);
+    assert_true(r->count > 0);
+    assert_int_equal(r->dpu.t, 110 * US);
+    rig_continue(r);
+    assert_int_equal(r->dpu.t, 130 * US);
+    /* The stop interrupt comes when the stop word's time is over. */
+    LOAD(r, 0, 0173400);
+    rig_go(r, 0);
+    assert_int_equal(r->events[r->event_count - 1].t, r->dpu.t);
+    assert_int_equal(r->dpu.t, 150 * US);
+    /* A pen hit half-way through a vector, without a spot: the other half is drawn after RESUME. */
+    rig_init(r);
+    r->desc.timing.average_ps = 20 * US;
+    rig_restart(r);
+    LOAD(r, 0, 0170300, 0104140, DF_BEAM_ON | 50 << 7, DF_STOP);
+    /* 1.5 and 2 µs of 8.5 are dark. */
+    uint64_t begin = 40 * US + 20 * US * 35 / 85, half = (60 * US - begin) / 2;
+    r->pen_at = begin + half;
+    rig_go(r, 0);
+    assert_int_equal(r->dpu.state, DF_WAITING_RESUME);
+    assert_int_equal(r->dpu.t, begin + half);
+    df_dpu_write(&r->dpu, DF_DPC, 1, 100 * US);
+    assert_int_equal(r->dpu.t, 100 * US + (60 * US - begin - half));
+    /* A hit as the word is fetched, were a pen to fire so early: still no word takes nothing. */
+    rig_init(r);
+    r->desc.timing.average_ps = 2;
+    rig_restart(r);
+    LOAD(r, 0, 0170300, 0104140, DF_BEAM_ON | 50 << 7, DF_STOP);
+    r->pen_at = 5;
+    df_dpu_write(&r->dpu, DF_DPC, 0, 0);
+    for (uint64_t before = 0; r->dpu.state == DF_RUNNING; before = r->dpu.t) {
+        df_dpu_step(&r->dpu);
+        assert_true(r->dpu.t > before);
+    }
+}
+
 /* The question of the textbook: instructions of 33.33 µs, 30 refreshes a second. */
 static void a_thousand_instructions_at_thirty_refreshes(void **state)
 {
@@ -214,6 +262,7 @@ int main(void)
         cmocka_unit_test(dots_lie_in_their_slots),
         cmocka_unit_test(long_dots_are_cut_to_their_slots),
         cmocka_unit_test(average_charges_every_instruction_the_same),
+        cmocka_unit_test(average_is_shared_with_resume),
         cmocka_unit_test(a_thousand_instructions_at_thirty_refreshes),
         cmocka_unit_test(time_does_not_drift),
         cmocka_unit_test(absurd_times_are_limited),

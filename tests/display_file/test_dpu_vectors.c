@@ -68,7 +68,7 @@ static void dashes_of_every_length(void **state)
     (void)state;
     char picture[1100];
     for (unsigned type = 0; type < 4; type++)
-        for (unsigned length = 1; length <= 1000; length += 37) {
+        for (unsigned length = 1; length <= 1000; length += length < 70 ? 1 : 37) {
             lit_units(type, length, picture);
             for (unsigned u = 0; u <= length; u++)
                 assert_int_equal(picture[u] == '#', counter_lights(type, u));
