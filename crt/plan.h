@@ -2,9 +2,11 @@
  *
  * Models:     the share of a stroke's light that a target gets depends on when each point of it was
  *             drawn. Over a piece that share is a constant, or a straight line, as far as what that
- * misses stays below CRT_OFF_CONSTANT or CRT_OFF_LINE of the light of the stroke or of the
- * brightest stroke of the pass; else the stroke is halved in time for that target. Units: weights
- * in cd·s/m². Ownership:  plain values; the caller's.
+ *             misses stays below CRT_OFF_CONSTANT or CRT_OFF_LINE of the light of the stroke or of
+ *             the brightest stroke of the pass; else the stroke is halved in time for that target.
+ * Units:      weights in cd·s/m².
+ * Ownership:  plain values; the caller's.
+ * Errors:     none.
  */
 #ifndef CRT_PLAN_H
 #define CRT_PLAN_H

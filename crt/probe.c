@@ -13,8 +13,7 @@
 /* Light further from a stroke than this is left out, sigma: e^−32 = 1e-14. */
 #define REACH 8.0
 
-/* ---- strokes
- * ------------------------------------------------------------------------------------------- */
+/* ---- strokes --------------------------------------------------------------------------------- */
 
 /* ½·[erf(b/√2) − erf(a/√2)] for a <= b, without cancellation far out. */
 static double normal_between(double a, double b)
@@ -99,8 +98,7 @@ static void look_at_entry(const struct looking *at, const struct crt_entry *entr
     }
 }
 
-/* ---- planes
- * ---------------------------------------------------------------------------------------------- */
+/* ---- planes ---------------------------------------------------------------------------------- */
 
 enum { TAPS = 12 };
 
@@ -175,8 +173,7 @@ void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint6
         look_at_entry(&at, &journal->now.at[i], tube->begin, t, UINT32_MAX);
 }
 
-/* ---- totals
- * ---------------------------------------------------------------------------------------------- */
+/* ---- totals ---------------------------------------------------------------------------------- */
 
 struct crt_tube_totals crt_tube_totals(const struct crt_tube *tube)
 {

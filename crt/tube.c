@@ -136,8 +136,7 @@ bool crt_tube_intact(const struct crt_tube *tube, struct crt_error *err)
                     (unsigned long long)tube->lost);
 }
 
-/* ---- time
- * ---------------------------------------------------------------------------------------- */
+/* ---- time ------------------------------------------------------------------------------------ */
 
 /* The stretch of a film that can be exposed now; false: none. */
 static bool feedable(const struct crt_tube *tube, const struct crt_film *film, bool commit,

@@ -5,19 +5,25 @@
  *                            └───────────── expose ────────────────┴──▶ film, probe
  *
  * Models:     gun (I ∝ drive^γ), a Gaussian spot that grows with current, the line integral of a
- * spot moving at constant speed with end-point dwell (erf caps), time-stamped deposits, decay by
- *             the phosphor's sum of exponentials. Absolute: light is in cd·s/m² (fluence) or cd/m².
+ *             spot moving at constant speed with end-point dwell (erf caps), time-stamped deposits,
+ *             decay by the phosphor's sum of exponentials. Absolute: light is in cd·s/m² (fluence)
+ *             or cd/m².
  * Time:       picoseconds; epoch n ends at tick n+1 of desc.epoch.
- * Observing never changes state: an exposure or a probe is a function of planes (as of the last
- * epoch) and journal (strokes since); a film's samples depend on its interval only, never on what
- *             else was observed, on the number of threads or on the instruction set.
- * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above the floor); shorter
- * terms are computed from the journal of this and the previous epoch. Ageing:     n epochs are n
- * float multiplications; values below a fixed floor become 0. Ownership:  crt_tube_create allocates
- * planes and journal, crt_tube_destroy frees them. Films belong to the caller. desc is copied; row
- * and phosphor must outlive the tube. Errors:     out of memory: NULL and a sentence. Misuse (time
- * running backwards) asserts. Not modelled: video amplifier (vector heads switch the beam),
- * misfocus towards the corners, saturation.
+ * Observing:  never changes state: an exposure or a probe is a function of planes (as of the last
+ *             epoch) and journal (strokes since); a film's samples depend on its interval only,
+ *             never on what else was observed, on the number of threads or on the instruction set.
+ * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above CRT_PLANE_SHARE);
+ *             shorter terms are computed from the journal of this and the previous epoch.
+ * Ageing:     n epochs are n float multiplications; values below a fixed floor become 0.
+ * Accuracy:   film within 1e-3 of its peak of the exact integral, energy to 1e-5, for epochs from a
+ *             millisecond to seconds (float factors: 6e-8/(T/τ) of a rate of decay).
+ * Ownership:  crt_tube_create allocates planes and journal, crt_tube_destroy frees them. Films
+ *             belong to the caller. desc is copied; row and phosphor must outlive the tube.
+ * Errors:     out of memory: NULL and a sentence; for strokes crt_tube_intact() tells. Misuse (time
+ *             running backwards, a film of another tube) asserts.
+ * Source:     the integrals are elementary; figures come from crt/tube_table.h and crt/phosphor.h.
+ * Not modelled: video amplifier (vector heads switch the beam), misfocus towards the corners,
+ *             saturation, scan lines.
  */
 #ifndef CRT_TUBE_H
 #define CRT_TUBE_H

@@ -149,8 +149,7 @@ static void line_luminance(void **state)
     crt_tube_destroy(tube);
 }
 
-/* ---- flicker
- * ---------------------------------------------------------------------------------------- */
+/* ---- flicker --------------------------------------------------------------------------------- */
 
 /* Light of periodic unit impulses, t after one of them, of period f. */
 static double periodic(const struct crt_phosphor *p, double t, double period)
