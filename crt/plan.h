@@ -2,8 +2,9 @@
  *
  * Models:     the share of a stroke's light that a target gets depends on when each point of it was
  *             drawn. Over a piece that share is a constant, or a straight line, as far as what that
- *             misses stays below CRT_OFF_CONSTANT or CRT_OFF_LINE of the light of the stroke or of
- *             the brightest stroke of the pass; else the stroke is halved in time for that target.
+ *             misses stays below CRT_OFF_CONSTANT or CRT_OFF_LINE of the light of the stroke; or of the
+ *             brightest stroke of the pass, as long as the strokes of one place together miss no
+ *             more than CRT_OFF_PLACE of it. Else the stroke is halved in time for that target.
  * Units:      weights in cd·s/m².
  * Ownership:  plain values; the caller's.
  * Errors:     none.
@@ -17,6 +18,10 @@
 
 #define CRT_OFF_CONSTANT 4e-4
 #define CRT_OFF_LINE     1e-4
+#define CRT_OFF_PLACE    5e-4
+
+/* Places: the grid in CRT_PLACES × CRT_PLACES parts; a stroke's is that of its middle. */
+#define CRT_PLACES 16
 
 /* Light too faint to be deposited, cd·s/m². */
 #define CRT_TOO_FAINT 1e-11
@@ -29,6 +34,7 @@ struct crt_receiver {
     int shares;
     struct crt_share share[2]; /* one after the other in time */
     double brightest;          /* crest of the brightest stroke in it, so far as known */
+    float missed[CRT_PLACES * CRT_PLACES]; /* on the brightest's account, cd·s/m² */
 };
 
 struct crt_weight {
@@ -50,6 +56,7 @@ struct crt_drawn {
     double power;          /* per second, in cd·s/m² × cells */
     double sigma;          /* cells */
     double crest;          /* light of the brightest cell, energy share 1, cd·s/m² */
+    int place;
     bool moving, whole;
 };
 
@@ -67,7 +74,7 @@ void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid
 
 /* Calls emit for each piece, in an order that is each receiver's order of time. */
 typedef void crt_plan_emit(void *context, const struct crt_piece_plan *piece);
-void crt_plan(const struct crt_drawn *drawn, const struct crt_receiver *receivers, int count,
+void crt_plan(const struct crt_drawn *drawn, struct crt_receiver *receivers, int count,
               crt_plan_emit *emit, void *context);
 
 #endif
