@@ -1,6 +1,7 @@
 /* Looking at a tube without changing it: luminance at a point, and totals. */
 #include "crt/tube.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "crt/maths.h"
@@ -162,6 +163,7 @@ static void look_at_planes(const struct crt_tube *tube, const struct looking *at
 void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint64_t t,
                     double cd_m2[CRT_MAX_COLOURS])
 {
+    assert(t >= tube->begin);
     struct looking at = {x_mm, y_mm, t, tube->desc.phosphor, cd_m2};
     for (int c = 0; c < CRT_MAX_COLOURS; c++)
         cd_m2[c] = 0;

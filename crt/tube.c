@@ -19,6 +19,9 @@ static bool sane_desc(const struct crt_tube_desc *desc, struct crt_error *err)
         return crt_fail(
             err, "a film grid of %d x %d cells is impossible; use 8 to 65536 columns, in eights",
             g->cols, g->rows);
+    if ((int64_t)g->cols * g->rows > CRT_MAX_GRID_CELLS)
+        return crt_fail(err, "a film grid of %d x %d cells is too large; choose larger cells",
+                        g->cols, g->rows);
     if (!(g->cell_mm > 0) || !isfinite(g->cell_mm) || !isfinite(g->left_mm) || !isfinite(g->top_mm))
         return crt_fail(err, "film cells of %g mm are impossible", g->cell_mm);
     if (desc->threads < 1 || desc->threads > 256)

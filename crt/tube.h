@@ -97,8 +97,9 @@ void crt_film_free(struct crt_film *film);
 void crt_film_open(struct crt_tube *tube, struct crt_film *film, uint64_t t0, uint64_t t1);
 void crt_film_cancel(struct crt_tube *tube, struct crt_film *film);
 
-/* Instantaneous luminance at a point of the glass, cd/m² per colour, at time t with
- * last-advance <= t (strokes after t do not count) or within the epoch being journalled. */
+/* Instantaneous luminance at a point of the glass, cd/m² per colour, at time t, not before the
+ * running epoch began (strokes after t do not count). Light of the running epoch is exact; what
+ * planes hold is interpolated between cells, to 1 % of its crest for the smallest spot. */
 void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint64_t t,
                     double cd_m2[CRT_MAX_COLOURS]);
 
