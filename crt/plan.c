@@ -82,7 +82,7 @@ bool crt_drawn_init(struct crt_drawn *d, const struct crt_entry *entry, const st
     d->sigma = entry->sigma_mm / grid->cell_mm;
     d->power = entry->power / (grid->cell_mm * grid->cell_mm);
     d->moving = d->dx != 0 || d->dy != 0;
-    if (d->from >= d->to)
+    if (d->from >= d->to || !(d->sigma <= CRT_WIDEST))
         return false;
     double reach = 1.5 * CRT_CUT * d->sigma;
     if (fmax(d->x0, x1) < -reach || fmin(d->x0, x1) > grid->cols + reach ||

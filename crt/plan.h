@@ -48,6 +48,12 @@ struct crt_piece_plan {
     bool whole;                  /* the stroke as it was delivered */
 };
 
+/* Sigma in cells: with less, light falls between cells; more is for no use, and a stroke so wide
+ * (a spot far out of focus under a strong microscope) is left out. */
+#define CRT_LEAST_SIGMA 0.8
+#define CRT_MOST_SIGMA  1e5
+#define CRT_WIDEST      1e6
+
 /* A stroke in cells, cut to the neighbourhood of the grid, between two moments. */
 struct crt_drawn {
     double x0, y0, dx, dy; /* cells; position = x0 + dx·(t − t0)/(t1 − t0) */

@@ -15,8 +15,9 @@
  * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above CRT_PLANE_SHARE);
  *             shorter terms are computed from the journal of this and the previous epoch.
  * Ageing:     n epochs are n float multiplications; values below a fixed floor become 0.
- * Accuracy:   film within 1e-3 of its peak of the exact integral, energy to 1e-5, for epochs from a
- *             millisecond to seconds (float factors: 6e-8/(T/τ) of a rate of decay).
+ * Accuracy:   film within 1e-3 of its peak of the exact integral; energy to 1e-5 as long as an
+ *             epoch is 0.003 τ or more (a factor is a float: a rate of decay is good to
+ *             3e-8·τ/T). Cells of at most 1.25 sigma of the smallest spot; larger ones are refused.
  * Ownership:  crt_tube_create allocates planes and journal, crt_tube_destroy frees them. Films
  *             belong to the caller. desc is copied; row and phosphor must outlive the tube.
  * Errors:     out of memory: NULL and a sentence; for strokes crt_tube_intact() tells. Misuse (time

@@ -238,6 +238,11 @@ static void close_up(void **state)
     line(40 * US, 41 * US, -0.6, 0.1, 0.2, 0.1, 0.5);
     const uint64_t when[][2] = {{0, S / 60}, {10 * US + 500000, 30 * US}};
     films_agree("close-up", when, 2, 1e-3);
+    /* And far beyond: one cell is as bright as the next. */
+    set_up(named("P31"), 64, 48, SIGMA / 40000);
+    line(0, 3 * US, -20, -20.1, 20, 19.8, 1);
+    line(10 * US, 11 * US, 0.1, -0.05, 0.1, -0.05, 0.8);
+    films_agree("microscope", when, 2, 1e-3);
 }
 
 /* The knobs act on what is drawn from then on; no drive, no light. */

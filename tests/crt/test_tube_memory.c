@@ -7,6 +7,7 @@
 
 #include <cmocka.h>
 
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -251,6 +252,56 @@ static void smallest_and_greatest_grids(void **state)
     }
 }
 
+static void cells_that_do_not_suit_the_spot(void **state)
+{
+    (void)state;
+    struct crt_tube_desc desc = desc_of(1);
+    struct crt_error err;
+    const struct {
+        double cell;
+        bool possible;
+    } cells[] = {{CELL, true},        {1.25 * CELL, true},  {CELL / 40000, true},
+                 {1.3 * CELL, false}, {1e9, false},         {0, false},
+                 {-1, false},         {CELL / 2e5, false},  {1e-12, false},
+                 {1e-300, false},     {(double)NAN, false}, {(double)INFINITY, false}};
+    for (unsigned i = 0; i < sizeof cells / sizeof cells[0]; i++) {
+        desc.grid.cell_mm = cells[i].cell;
+        err.text[0] = 0;
+        struct crt_tube *tube = crt_tube_create(&desc, &err);
+        assert_true((tube != NULL) == cells[i].possible);
+        if (!tube)
+            assert_non_null(strstr(err.text, "film cells of"));
+        crt_tube_destroy(tube);
+    }
+}
+
+/* The knobs turned to where no knob goes. */
+static void absurd_knobs(void **state)
+{
+    (void)state;
+    struct crt_tube_desc desc = desc_of(1);
+    struct crt_error err;
+    struct crt_film film;
+    desc.grid.cell_mm = CELL / 40000;
+    struct crt_tube *tube = crt_tube_create(&desc, &err);
+    assert_true(tube && crt_film_init(&film, tube, &err));
+    const struct crt_knobs knobs[] = {{0, 1, 4},           {0, 1, 1e300},
+                                      {0, 1, (double)NAN}, {(double)NAN, 1, 0},
+                                      {0, (double)NAN, 0}, {1e300, -1e300, -1e9}};
+    crt_film_open(tube, &film, 0, CRT_PS_PER_S);
+    for (unsigned i = 0; i < sizeof knobs / sizeof knobs[0]; i++) {
+        struct crt_stroke s = {.t0 = i * CRT_PS_PER_MS, .x1 = 300, .y1 = -200, .drive = 1};
+        s.t1 = s.t0 + CRT_PS_PER_MS;
+        crt_tube_set_knobs(tube, knobs[i]);
+        crt_tube_stroke(tube, &s);
+    }
+    crt_tube_advance(tube, CRT_PS_PER_S);
+    for (size_t i = 0; i < COLS * ROWS; i++)
+        assert_true(film.light[0][i] >= 0 && film.light[0][i] < 1e9F);
+    crt_film_free(&film);
+    crt_tube_destroy(tube);
+}
+
 /* ---- misuse -------------------------------------------------------------------------------------- */
 
 static void film_backwards(struct crt_tube *tube, struct crt_film *film)
@@ -347,6 +398,8 @@ int main(void)
         cmocka_unit_test(every_allocation_may_fail),
         cmocka_unit_test(developing_without_memory),
         cmocka_unit_test(smallest_and_greatest_grids),
+        cmocka_unit_test(cells_that_do_not_suit_the_spot),
+        cmocka_unit_test(absurd_knobs),
         cmocka_unit_test(misuse_asserts),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
