@@ -70,8 +70,7 @@ static void print_wrapped(FILE *to, int at, int indent, const char *text)
     fputc('\n', to);
 }
 
-/* ---- tubes --------------------------------------------------------------------------------------
- */
+/* ---- tubes ----------------------------------------------------------------------------------- */
 
 static void print_figure(FILE *to, const char *name, const char *unit, const struct crt_figure *f)
 {
@@ -131,8 +130,7 @@ void crt_list_tubes(FILE *to, const struct crt_catalogue *c, bool why)
     }
 }
 
-/* ---- phosphors
- * ----------------------------------------------------------------------------------- */
+/* ---- phosphors ------------------------------------------------------------------------------- */
 
 static const char *made_from(const struct crt_phosphor *p)
 {

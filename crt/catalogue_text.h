@@ -1,8 +1,10 @@
 /* catalogue_text.h — the tables of tubes and phosphors as text of at most 100 columns.
  *
- * `why` prints every figure with its range and source: for tubes all of CRT_TUBE_FIGURES, for
- * phosphors the terms, both published persistences beside the model's own times, and the notes.
+ * Models:     nothing. `why` prints every figure with its range and source: for tubes all of
+ *             CRT_TUBE_FIGURES, for phosphors the terms, both published persistences beside the
+ *             model's own times, and the notes.
  * Units:      printed with each figure.
+ * Ownership:  nothing is kept; the stream stays the caller's.
  * Errors:     none; the caller looks at ferror() of its stream.
  */
 #ifndef CRT_CATALOGUE_TEXT_H

@@ -1,8 +1,10 @@
 /* error.h — one sentence for the user when the host is in trouble.
  *
- * A function that can fail for reasons outside the program takes a struct crt_error and returns
- * false (or NULL) after writing one sentence that names the file, the place and the remedy.
- * Ownership: the caller's; plain value. Never NULL. Programmer errors assert instead.
+ * Models:     a function that can fail for reasons outside the program takes a struct crt_error and
+ *             returns false (or NULL) after writing one sentence that names the file, the place and
+ *             the remedy. Programmer errors assert instead.
+ * Ownership:  the caller's; plain value. Never NULL.
+ * Errors:     a sentence that is too long is cut.
  */
 #ifndef CRT_ERROR_H
 #define CRT_ERROR_H

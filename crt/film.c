@@ -30,7 +30,10 @@ void crt_film_free(struct crt_film *film)
 
 void crt_film_open(struct crt_tube *tube, struct crt_film *film, uint64_t t0, uint64_t t1)
 {
+    const struct crt_grid *grid = &tube->desc.grid;
     assert(t0 < t1 && t0 >= tube->now);
+    assert(film->grid.cols == grid->cols && film->grid.rows == grid->rows);
+    assert(film->colours == tube->desc.phosphor->colours && film->light[0]);
     crt_film_cancel(tube, film);
     film->t0 = film->fed_to = t0;
     film->t1 = t1;

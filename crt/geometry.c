@@ -43,5 +43,6 @@ struct crt_grid crt_grid_closeup(double x_mm, double y_mm, double width_mm, int 
 struct crt_viewport crt_letterbox(double w_mm, double h_mm, int win_w, int win_h)
 {
     double k = fmin(win_w / w_mm, win_h / h_mm);
-    return (struct crt_viewport){(win_w - k * w_mm) / 2, (win_h - k * h_mm) / 2, k * w_mm, k * h_mm};
+    return (struct crt_viewport){(win_w - k * w_mm) / 2, (win_h - k * h_mm) / 2, k * w_mm,
+                                 k * h_mm};
 }

@@ -1,5 +1,5 @@
-/* geometry.h — the only converter between the spaces of DESIGN: head units, tube millimetres,
- * grid cells and window pixels.
+/* geometry.h — the only converter between head units, tube millimetres, grid cells and window
+ * pixels.
  *
  *      head units (vector)      millimetres               grid cells
  *        y                        y                        (0,0)──▶ col
@@ -11,8 +11,11 @@
  *             so 0 … units-1 is centred on the glass. Units may be fractional.
  * Cells:      square, row 0 at the top; the centre of cell (c, r) is
  *             (left_mm + (c+½)·cell_mm, top_mm − (r+½)·cell_mm).
- * Millimetres are square; a head with unequal pitches shows oval circles, as the tube would.
- * Errors:     none; the structs are plain values.
+ * Millimetres: square; a head with unequal pitches shows oval circles, as the tube would.
+ * Source:     elementary; the figures come from the tube row.
+ * Ownership:  plain values.
+ * Errors:     none.
+ * Not modelled: distortion of the picture by the deflection (pincushion, non-linearity).
  */
 #ifndef CRT_GEOMETRY_H
 #define CRT_GEOMETRY_H
@@ -25,7 +28,7 @@ struct crt_screen {
 
 /* A grid of square cells on the glass: what planes and film are stored on. */
 struct crt_grid {
-    int cols, rows;         /* cols is a multiple of 8 (CRT_LANES) */
+    int cols, rows;         /* cols is a multiple of 8, one chunk of the kernels */
     double cell_mm;         /* side of a cell */
     double left_mm, top_mm; /* the outer corner of cell (0, 0) */
 };

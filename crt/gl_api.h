@@ -1,7 +1,8 @@
 /* gl_api.h — the part of OpenGL 3.3 core that the glass draws with, and its loader.
  *
- * Every function comes from the caller's loader (glfwGetProcAddress, OSMesaGetProcAddress,
- * eglGetProcAddress), so nothing links with a GL library and no GL header is needed to build.
+ * Models:     nothing. Every function comes from the caller's loader (glfwGetProcAddress,
+ *             OSMesaGetProcAddress, eglGetProcAddress), so nothing links with a GL library and no
+ *             GL header is needed to build.
  * Source:     names, values and signatures after the OpenGL 3.3 core profile specification.
  * Ownership:  struct crt_gl is a plain table of functions, valid while its context lives.
  * Errors:     a missing function is named.

@@ -1,7 +1,8 @@
 /* gl_context.h — an offscreen GL 3.3 core context, from OSMesa or, where that is missing, from
  * EGL's surfaceless platform.
  *
- * Both libraries are loaded with dlopen, so the program starts without them.
+ * Models:     nothing. Both libraries are loaded with dlopen, so the program starts without them.
+ * Source:     the OSMesa and EGL 1.5 interfaces, EGL_MESA_platform_surfaceless.
  * Ownership:  create/destroy pair; one context may be current per thread.
  * Errors:     one sentence saying which libraries were tried and which package has them.
  */

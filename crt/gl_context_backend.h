@@ -1,7 +1,8 @@
 /* gl_context_backend.h — what gl_context.c and the two backends share; private to them.
  *
- * The libraries stay loaded until the process ends: Mesa starts threads and keeps static data that
- * do not survive being unloaded, and a second context finds them ready.
+ * Ownership:  the libraries stay loaded until the process ends: Mesa starts threads and keeps
+ *             static data that do not survive being unloaded, and a second context finds them
+ *             ready.
  */
 #ifndef CRT_GL_CONTEXT_BACKEND_H
 #define CRT_GL_CONTEXT_BACKEND_H

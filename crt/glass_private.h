@@ -1,4 +1,7 @@
-/* glass_private.h — what glass.c (resources) and glass_draw.c (passes) share. */
+/* glass_private.h — what glass.c (resources) and glass_draw.c (passes) share.
+ *
+ * Ownership:  the GL objects named here belong to struct crt_glass, which crt_glass_destroy frees.
+ */
 #ifndef CRT_GLASS_PRIVATE_H
 #define CRT_GLASS_PRIVATE_H
 

@@ -1,9 +1,9 @@
-/* glass_shaders.h — the GLSL 3.30 sources of the glass; each follows a prefix of #version and
- * #defines.
+/* glass_shaders.h — the GLSL 3.30 sources of the glass; private to it.
  *
- * They are lists of pieces ended by NULL, since C99 promises only 4095 characters a
- * string. Private to the glass. The defines of the face: COLOURS 1|2, SAMPLE one of SAMPLE_*,
- * CURVED, HALO, ROOM 0|1.
+ * Models:     see crt/glass.h. Each source follows a prefix of #version and #defines; those of the
+ *             face are COLOURS 1|2, SAMPLE one of SAMPLE_*, CURVED, HALO, ROOM 0|1.
+ * Ownership:  constant lists of pieces ended by NULL, since C99 promises only 4095 characters a
+ *             string.
  */
 #ifndef CRT_GLASS_SHADERS_H
 #define CRT_GLASS_SHADERS_H

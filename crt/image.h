@@ -1,5 +1,6 @@
 /* image.h — pictures in memory: RGB samples, 8 or 16 bits each, sRGB-encoded unless said otherwise.
  *
+ * Models:     nothing; row 0 is the top.
  * Ownership:  crt_image_init allocates, crt_image_free releases.
  * Errors:     out of memory and impossible sizes give a sentence.
  */

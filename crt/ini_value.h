@@ -1,9 +1,10 @@
 /* ini_value.h — reads numbers, times and figures from text that may hold anything.
  *
  * Method:     each function reads one item at `s`, skipping blanks before it, and returns where it
- *             ended; NULL when there is no such item or it is no finite number. "nan", "inf" and
- *             hexadecimal are not numbers here.
+ *             ended. "nan", "inf" and hexadecimal are not numbers here.
  * Units:      times in seconds: 150ms, 2.2 s, 38us, 22.7ns, 5ps.
+ * Ownership:  nothing is kept.
+ * Errors:     NULL when there is no such item or it is no finite number.
  */
 #ifndef CRT_INI_VALUE_H
 #define CRT_INI_VALUE_H

@@ -2,8 +2,10 @@
  *
  * Models:     strokes in order of their start, each with the beam it was drawn by (the knobs of its
  *             moment). Those of the epoch before are kept as far as quick phosphor terms need them.
+ * Units:      as named in the structs.
  * Ownership:  crt_journal_free releases; a zeroed journal is empty.
  * Errors:     crt_journal_push: false when memory is out; nothing has changed then.
+ *             crt_journal_turn: false when it was out for strokes of the epoch before.
  */
 #ifndef CRT_JOURNAL_H
 #define CRT_JOURNAL_H

@@ -1,10 +1,11 @@
 /* lanes.h — a register of floats, and the few operations the tube's kernels need on it.
  *
  * Models:     CRT_LANES floats side by side: 8 where the compiler may use AVX2, else 4. Every
- * operation works on each lane alone and is exact IEEE 754, so a lane's bits do not depend on the
- * width of the register. Method:     vector extensions of GCC and clang. The maximum is an
- * instruction of its own on x86; elsewhere a comparison and a mask with the same result (a > b ? a
- * : b).
+ *             operation works on each lane alone and is exact IEEE 754, so a lane's bits do not
+ *             depend on the width of the register.
+ * Method:     vector extensions of GCC and clang. The maximum is an instruction of its own on x86;
+ *             elsewhere a comparison and a mask with the same result (a > b ? a : b).
+ * Errors:     none.
  */
 #ifndef CRT_LANES_H
 #define CRT_LANES_H

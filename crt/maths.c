@@ -43,8 +43,7 @@ static struct pair pair_mul(struct pair a, struct pair b)
     return sum2(p.hi, p.lo + (a.hi * b.lo + a.lo * b.hi));
 }
 
-/* ---- exp and expm1 ----------------------------------------------------------------------------
- */
+/* ---- exp and expm1 --------------------------------------------------------------------------- */
 
 #define LN2_HI  0x1.62e42fee00000p-1 /* ln 2, its upper 32 bits: k·LN2_HI is exact */
 #define LN2_LO  0x1.a39ef35793c76p-33
@@ -129,8 +128,7 @@ static double exp_pair(struct pair x)
     return isinf(e) || e == 0 ? e : e + e * x.lo;
 }
 
-/* ---- log and pow --------------------------------------------------------------------------------
- */
+/* ---- log and pow ----------------------------------------------------------------------------- */
 
 /* x = m·2^e with sqrt(1/2) <= m < sqrt(2); x positive and finite. */
 static double split_exponent(double x, int *e)
@@ -206,8 +204,7 @@ double crt_pow(double x, double y)
     return exp_pair(sum2(p.hi, p.lo + l.lo * y));
 }
 
-/* ---- erf and erfcx
- * --------------------------------------------------------------------------------- */
+/* ---- erf and erfcx --------------------------------------------------------------------------- */
 
 #define TWO_BY_SQRT_PI 0x1.20dd750429b6dp+0
 #define ONE_BY_SQRT_PI 0x1.20dd750429b6dp-1
@@ -284,8 +281,7 @@ double crt_erf(double x)
     return TWO_BY_SQRT_PI * (x + x * p);
 }
 
-/* ---- sin and cos
- * --------------------------------------------------------------------------------------- */
+/* ---- sin and cos ----------------------------------------------------------------------------- */
 
 /* x = n·π/2 + r, |r| <= π/4; returns n mod 4. π/2 in three parts, the first two of 33 bits, so that
  * n times each is exact for |n| < 2^20. */

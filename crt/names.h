@@ -1,5 +1,6 @@
 /* names.h — names of rows are compared without regard to ASCII case, whatever the locale.
  *
+ * Ownership:  nothing is kept.
  * Errors:     none.
  */
 #ifndef CRT_NAMES_H

@@ -3,11 +3,14 @@
  *      planes ──emission──▶ films ◀──shares of── strokes ──residuals──▶ planes (aged)
  *
  * Models:     a pass feeds up to CRT_PASS_FILMS films, each over its own stretch of one epoch, and,
- * when the epoch ends, ages the planes and deposits the residuals. What each of them gets, and in
- * which order, does not depend on the others. Method:     strokes become pieces of footprint (one
- * each, unless the share of light varies too much along a stroke); bands of rows are worked on one
- * after the other, or by several threads, so that a band stays in the cache for all its pieces.
+ *             when the epoch ends, ages the planes and deposits the residuals. What each of them
+ *             gets, and in which order, does not depend on the others.
+ * Method:     strokes become pieces of footprint (one each, unless the share of light varies too
+ *             much along a stroke); bands of rows are worked on one after the other, or by several
+ *             threads, so that a band stays in the cache for all its pieces.
+ * Units:      cells; light in cd·s/m².
  * Ownership:  crt_pass_create allocates, crt_pass_destroy frees.
+ * Errors:     crt_pass_create: NULL when memory is out; a pass itself needs no more.
  */
 #ifndef CRT_PASS_H
 #define CRT_PASS_H

@@ -59,6 +59,13 @@ static bool cut_to_grid(struct crt_drawn *d, const struct crt_grid *grid)
     return d->from < d->to;
 }
 
+/* Of CRT_PLACES along one side. */
+static int place_along(double middle, int cells)
+{
+    double place = middle / cells * CRT_PLACES;
+    return place > 0 ? (int)fmin(place, CRT_PLACES - 1) : 0;
+}
+
 bool crt_drawn_init(struct crt_drawn *d, const struct crt_entry *entry, const struct crt_grid *grid,
                     uint64_t from, uint64_t to)
 {
@@ -75,13 +82,15 @@ bool crt_drawn_init(struct crt_drawn *d, const struct crt_entry *entry, const st
     d->sigma = entry->sigma_mm / grid->cell_mm;
     d->power = entry->power / (grid->cell_mm * grid->cell_mm);
     d->moving = d->dx != 0 || d->dy != 0;
-    if (d->from >= d->to)
+    if (d->from >= d->to || !(d->sigma <= CRT_WIDEST))
         return false;
     double reach = 1.5 * CRT_CUT * d->sigma;
     if (fmax(d->x0, x1) < -reach || fmin(d->x0, x1) > grid->cols + reach ||
         fmax(d->y0, y1) < -reach || fmin(d->y0, y1) > grid->rows + reach)
         return false;
     d->crest = entry->crest;
+    d->place = place_along(d->y0 + d->dy / 2, grid->rows) * CRT_PLACES +
+               place_along(d->x0 + d->dx / 2, grid->cols);
     if (fmax(fabs(d->x0), fabs(x1)) > FAR || fmax(fabs(d->y0), fabs(y1)) > FAR)
         if (!cut_to_grid(d, grid))
             return false;
@@ -129,22 +138,36 @@ void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid
         }
 }
 
+/* Whether `missed` light is less than `part` of a light `own`; or of the brightest's, as long as
+ * nothing adds up at this place. */
+static bool may_miss(const struct crt_drawn *d, struct crt_receiver *receiver, double missed,
+                     double own, double part)
+{
+    if (missed <= fmax(part * own, CRT_TOO_FAINT))
+        return true;
+    float *account = &receiver->missed[d->place];
+    if (missed > part * receiver->brightest ||
+        (double)*account + missed > CRT_OFF_PLACE * receiver->brightest)
+        return false;
+    *account += (float)missed;
+    return true;
+}
+
 /* The share over [from, to) as a weight, or false when a straight line is not good enough. */
-static bool weigh(const struct crt_drawn *d, const struct crt_receiver *receiver,
+static bool weigh(const struct crt_drawn *d, struct crt_receiver *receiver,
                   const struct crt_share *share, uint64_t from, uint64_t to,
                   struct crt_weight *weight)
 {
     struct crt_share_fit fit = crt_share_over(share, from, to);
-    double energy = d->power * crt_seconds(from, to);
-    double bright = fmax(d->crest * fit.mean, receiver->brightest);
-    double allowed = fmax(CRT_OFF_CONSTANT * bright, CRT_TOO_FAINT);
-    bool constant = !d->moving || d->crest * fit.off_constant <= allowed;
-    allowed = fmax(CRT_OFF_LINE * bright, CRT_TOO_FAINT);
-    bool line = constant || d->crest * fit.off_line <= allowed || to - from < 2;
+    double energy = d->power * crt_seconds(from, to), own = d->crest * fit.mean;
+    bool constant =
+        !d->moving || may_miss(d, receiver, d->crest * fit.off_constant, own, CRT_OFF_CONSTANT);
+    bool line = constant || to - from < 2 ||
+                may_miss(d, receiver, d->crest * fit.off_line, own, CRT_OFF_LINE);
     if (!line)
         return false;
     *weight = (struct crt_weight){0};
-    if (d->crest * fit.mean < CRT_TOO_FAINT)
+    if (own < CRT_TOO_FAINT)
         return true;
     weight->w0 = (float)(energy * fit.mean);
     weight->w1 = constant ? 0 : (float)(energy * fit.slope);
@@ -162,7 +185,7 @@ static void locate(const struct crt_drawn *d, uint64_t from, uint64_t to,
 
 struct halving {
     const struct crt_drawn *drawn;
-    const struct crt_receiver *receiver;
+    struct crt_receiver *receiver;
     int index;
     crt_plan_emit *emit;
     void *context;
@@ -185,7 +208,7 @@ static void halve(const struct halving *h, const struct crt_share *share, uint64
     *weight = (struct crt_weight){0};
 }
 
-void crt_plan(const struct crt_drawn *d, const struct crt_receiver *receivers, int count,
+void crt_plan(const struct crt_drawn *d, struct crt_receiver *receivers, int count,
               crt_plan_emit *emit, void *context)
 {
     struct crt_piece_plan piece;

@@ -2,9 +2,12 @@
  *
  * Models:     the share of a stroke's light that a target gets depends on when each point of it was
  *             drawn. Over a piece that share is a constant, or a straight line, as far as what that
- * misses stays below CRT_OFF_CONSTANT or CRT_OFF_LINE of the light of the stroke or of the
- * brightest stroke of the pass; else the stroke is halved in time for that target. Units: weights
- * in cd·s/m². Ownership:  plain values; the caller's.
+ *             misses stays below CRT_OFF_CONSTANT or CRT_OFF_LINE of the light of the stroke; or of the
+ *             brightest stroke of the pass, as long as the strokes of one place together miss no
+ *             more than CRT_OFF_PLACE of it. Else the stroke is halved in time for that target.
+ * Units:      weights in cd·s/m².
+ * Ownership:  plain values; the caller's.
+ * Errors:     none.
  */
 #ifndef CRT_PLAN_H
 #define CRT_PLAN_H
@@ -15,6 +18,10 @@
 
 #define CRT_OFF_CONSTANT 4e-4
 #define CRT_OFF_LINE     1e-4
+#define CRT_OFF_PLACE    5e-4
+
+/* Places: the grid in CRT_PLACES × CRT_PLACES parts; a stroke's is that of its middle. */
+#define CRT_PLACES 16
 
 /* Light too faint to be deposited, cd·s/m². */
 #define CRT_TOO_FAINT 1e-11
@@ -27,6 +34,7 @@ struct crt_receiver {
     int shares;
     struct crt_share share[2]; /* one after the other in time */
     double brightest;          /* crest of the brightest stroke in it, so far as known */
+    float missed[CRT_PLACES * CRT_PLACES]; /* on the brightest's account, cd·s/m² */
 };
 
 struct crt_weight {
@@ -40,6 +48,12 @@ struct crt_piece_plan {
     bool whole;                  /* the stroke as it was delivered */
 };
 
+/* Sigma in cells: with less, light falls between cells; more is for no use, and a stroke so wide
+ * (a spot far out of focus under a strong microscope) is left out. */
+#define CRT_LEAST_SIGMA 0.8
+#define CRT_MOST_SIGMA  1e5
+#define CRT_WIDEST      1e6
+
 /* A stroke in cells, cut to the neighbourhood of the grid, between two moments. */
 struct crt_drawn {
     double x0, y0, dx, dy; /* cells; position = x0 + dx·(t − t0)/(t1 − t0) */
@@ -48,6 +62,7 @@ struct crt_drawn {
     double power;          /* per second, in cd·s/m² × cells */
     double sigma;          /* cells */
     double crest;          /* light of the brightest cell, energy share 1, cd·s/m² */
+    int place;
     bool moving, whole;
 };
 
@@ -65,7 +80,7 @@ void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid
 
 /* Calls emit for each piece, in an order that is each receiver's order of time. */
 typedef void crt_plan_emit(void *context, const struct crt_piece_plan *piece);
-void crt_plan(const struct crt_drawn *drawn, const struct crt_receiver *receivers, int count,
+void crt_plan(const struct crt_drawn *drawn, struct crt_receiver *receivers, int count,
               crt_plan_emit *emit, void *context);
 
 #endif

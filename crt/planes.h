@@ -1,10 +1,12 @@
 /* planes.h — the energy stored in the phosphor, one plane of cells per lasting term.
  *
  * Models:     S_k per cell in cd·s/m². Ageing by n epochs is n float multiplications, each followed
- * by the floor: what falls below it is 0. It is done when a tile is next needed. Tiles:      64 ×
- * 16 cells, each with a flag per plane that says whether anything is in it; dark tiles are never
- * read. Ownership:  crt_planes_init allocates, crt_planes_free releases. Threads:    rows of tiles
- * may be worked on at the same time.
+ *             by the floor: what falls below it is 0. It is done when a tile is next needed.
+ * Tiles:      64 × 16 cells, each with a flag per plane that says whether anything is in it; dark
+ *             tiles are never read.
+ * Ownership:  crt_planes_init allocates, crt_planes_free releases.
+ * Threads:    rows of tiles may be worked on at the same time.
+ * Errors:     crt_planes_init: false when memory is out; nothing is left allocated then.
  */
 #ifndef CRT_PLANES_H
 #define CRT_PLANES_H
@@ -51,8 +53,8 @@ void crt_planes_free(struct crt_planes *planes);
 /* A tile's cells, brought to `epoch`; NULL when they are all 0. */
 float *crt_planes_tile(struct crt_planes *planes, int plane, int tile, uint64_t epoch);
 
-/* Makes all tiles under rows [lo, hi) × columns [left, right] ready to receive light as of `epoch`.
- */
+/* Makes all tiles under rows [lo, hi) × columns [left, right] ready to receive light as of
+ * `epoch`. */
 void crt_planes_touch(struct crt_planes *planes, int lo, int hi, int left, int right,
                       uint64_t epoch);
 

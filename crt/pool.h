@@ -1,9 +1,10 @@
 /* pool.h — worker threads that share out numbered pieces of work.
  *
  * Models:     crt_pool_run calls work(context, index, worker) once for every index below count, on
- * any thread; the caller is worker 0 and takes part. It returns when all are done. Ownership:
- * create/destroy pair. With one thread there is no pool: NULL runs everything in order. Errors: no
- * threads to be had: NULL and a sentence.
+ *             any thread; the caller is worker 0 and takes part. It returns when all are done. With
+ *             one thread there is no pool: NULL runs everything in order.
+ * Ownership:  create/destroy pair; the context stays the caller's.
+ * Errors:     no threads to be had: NULL and a sentence.
  */
 #ifndef CRT_POOL_H
 #define CRT_POOL_H

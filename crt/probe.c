@@ -1,6 +1,7 @@
 /* Looking at a tube without changing it: luminance at a point, and totals. */
 #include "crt/tube.h"
 
+#include <assert.h>
 #include <math.h>
 
 #include "crt/maths.h"
@@ -13,8 +14,7 @@
 /* Light further from a stroke than this is left out, sigma: e^−32 = 1e-14. */
 #define REACH 8.0
 
-/* ---- strokes
- * ------------------------------------------------------------------------------------------- */
+/* ---- strokes --------------------------------------------------------------------------------- */
 
 /* ½·[erf(b/√2) − erf(a/√2)] for a <= b, without cancellation far out. */
 static double normal_between(double a, double b)
@@ -99,8 +99,7 @@ static void look_at_entry(const struct looking *at, const struct crt_entry *entr
     }
 }
 
-/* ---- planes
- * ---------------------------------------------------------------------------------------------- */
+/* ---- planes ---------------------------------------------------------------------------------- */
 
 enum { TAPS = 12 };
 
@@ -164,6 +163,7 @@ static void look_at_planes(const struct crt_tube *tube, const struct looking *at
 void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint64_t t,
                     double cd_m2[CRT_MAX_COLOURS])
 {
+    assert(t >= tube->begin);
     struct looking at = {x_mm, y_mm, t, tube->desc.phosphor, cd_m2};
     for (int c = 0; c < CRT_MAX_COLOURS; c++)
         cd_m2[c] = 0;
@@ -175,8 +175,7 @@ void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint6
         look_at_entry(&at, &journal->now.at[i], tube->begin, t, UINT32_MAX);
 }
 
-/* ---- totals
- * ---------------------------------------------------------------------------------------------- */
+/* ---- totals ---------------------------------------------------------------------------------- */
 
 struct crt_tube_totals crt_tube_totals(const struct crt_tube *tube)
 {

@@ -2,10 +2,12 @@
  * again.
  *
  * Models:     a memory of footprints by stroke (positions, sigma). A stroke seen in an earlier
- * epoch too is stored; a stored one is handed out. Only time is saved: the numbers are those that
- * would be computed again. Bounds:     CRT_REUSE_BYTES. When full and mostly stale, all is
- * forgotten. Ownership:  crt_reuse_init allocates (false: no memory, so no reuse), crt_reuse_free
- * releases.
+ *             epoch too is stored; a stored one is handed out. Only time is saved: the numbers are
+ *             those that would be computed again.
+ * Bounds:     CRT_REUSE_BYTES. When full and mostly stale, all is forgotten.
+ * Ownership:  crt_reuse_create allocates, crt_reuse_destroy releases; footprints handed out are the
+ *             memory's own and stay until the epoch ends.
+ * Errors:     crt_reuse_create: NULL when memory is out; then there is no reuse.
  */
 #ifndef CRT_REUSE_H
 #define CRT_REUSE_H

@@ -1,12 +1,15 @@
 /* spot.h — gun and spot: drive to beam current, current to light and to the width of the beam.
  *
- * Models:     drive' = clamp(contrast·drive + brightness, 0, 1); relative current I = drive'^gun_exponent;
- *             sigma² = (sigma0² + (growth·I^exponent)²)·(1 + focus²), a round Gaussian.
- *             Light: a full-drive line drawn at line_speed and refreshed line_refresh times a second
- *             has a crest of line_luminance cd/m²; that fixes the luminous energy per second of beam.
- * Units:      mm, cd·mm²/m² per unit current (luminous output of the whole spot).
+ * Models:     drive' = clamp(contrast·drive + brightness, 0, 1); relative current
+ *             I = drive'^gun_exponent; sigma² = (sigma0² + (growth·I^exponent)²)·(1 + focus²), a
+ *             round Gaussian. Light: a full-drive line drawn at line_speed and refreshed
+ *             line_refresh times a second has a crest of line_luminance cd/m²; that fixes the
+ *             luminous energy per second of beam.
+ * Units:      mm; cd·mm²/m² (luminance integrated over the spot's area).
  * Sources:    the tube row (crt/tube_table.h).
- * Not modelled: astigmatism, deflection defocus.
+ * Ownership:  plain values.
+ * Errors:     none; drive that is no number gives no beam.
+ * Not modelled: astigmatism, deflection defocus, saturation.
  */
 #ifndef CRT_SPOT_H
 #define CRT_SPOT_H

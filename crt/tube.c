@@ -12,6 +12,25 @@
 /* Quick terms are followed for this many time constants after a stroke: e^−18 = 2e-8. */
 #define QUICK_SPAN 18.0
 
+/* Cells may not be so large that the spot falls between them, nor so small that counting them in a
+ * spot is beyond the kernels. */
+static bool sane_cells(const struct crt_tube_desc *desc, struct crt_error *err)
+{
+    const struct crt_grid *g = &desc->grid;
+    if (!(g->cell_mm > 0) || !isfinite(g->cell_mm) || !isfinite(g->left_mm) || !isfinite(g->top_mm))
+        return crt_fail(err, "film cells of %g mm are impossible", g->cell_mm);
+    double sigma = crt_spot_sigma0(desc->row), most = sigma / CRT_LEAST_SIGMA;
+    if (!(g->cell_mm <= most * (1 + 1e-9)))
+        return crt_fail(err,
+                        "film cells of %g mm are too large for the spot of this tube; have at most "
+                        "%g mm, with a smaller area or more cells",
+                        g->cell_mm, most);
+    if (g->cell_mm < sigma / CRT_MOST_SIGMA)
+        return crt_fail(err, "film cells of %g mm are too small; have at least %g mm", g->cell_mm,
+                        sigma / CRT_MOST_SIGMA);
+    return true;
+}
+
 static bool sane_desc(const struct crt_tube_desc *desc, struct crt_error *err)
 {
     const struct crt_grid *g = &desc->grid;
@@ -19,11 +38,12 @@ static bool sane_desc(const struct crt_tube_desc *desc, struct crt_error *err)
         return crt_fail(
             err, "a film grid of %d x %d cells is impossible; use 8 to 65536 columns, in eights",
             g->cols, g->rows);
-    if (!(g->cell_mm > 0) || !isfinite(g->cell_mm) || !isfinite(g->left_mm) || !isfinite(g->top_mm))
-        return crt_fail(err, "film cells of %g mm are impossible", g->cell_mm);
+    if ((int64_t)g->cols * g->rows > CRT_MAX_GRID_CELLS)
+        return crt_fail(err, "a film grid of %d x %d cells is too large; choose larger cells",
+                        g->cols, g->rows);
     if (desc->threads < 1 || desc->threads > 256)
         return crt_fail(err, "%d threads are impossible; use 1 to 256", desc->threads);
-    return true;
+    return sane_cells(desc, err);
 }
 
 /* Which terms have no plane, and how long the journal must remember strokes for them. */
@@ -136,8 +156,7 @@ bool crt_tube_intact(const struct crt_tube *tube, struct crt_error *err)
                     (unsigned long long)tube->lost);
 }
 
-/* ---- time
- * ---------------------------------------------------------------------------------------- */
+/* ---- time ------------------------------------------------------------------------------------ */
 
 /* The stretch of a film that can be exposed now; false: none. */
 static bool feedable(const struct crt_tube *tube, const struct crt_film *film, bool commit,

@@ -5,19 +5,26 @@
  *                            └───────────── expose ────────────────┴──▶ film, probe
  *
  * Models:     gun (I ∝ drive^γ), a Gaussian spot that grows with current, the line integral of a
- * spot moving at constant speed with end-point dwell (erf caps), time-stamped deposits, decay by
- *             the phosphor's sum of exponentials. Absolute: light is in cd·s/m² (fluence) or cd/m².
+ *             spot moving at constant speed with end-point dwell (erf caps), time-stamped deposits,
+ *             decay by the phosphor's sum of exponentials. Absolute: light is in cd·s/m² (fluence)
+ *             or cd/m².
  * Time:       picoseconds; epoch n ends at tick n+1 of desc.epoch.
- * Observing never changes state: an exposure or a probe is a function of planes (as of the last
- * epoch) and journal (strokes since); a film's samples depend on its interval only, never on what
- *             else was observed, on the number of threads or on the instruction set.
- * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above the floor); shorter
- * terms are computed from the journal of this and the previous epoch. Ageing:     n epochs are n
- * float multiplications; values below a fixed floor become 0. Ownership:  crt_tube_create allocates
- * planes and journal, crt_tube_destroy frees them. Films belong to the caller. desc is copied; row
- * and phosphor must outlive the tube. Errors:     out of memory: NULL and a sentence. Misuse (time
- * running backwards) asserts. Not modelled: video amplifier (vector heads switch the beam),
- * misfocus towards the corners, saturation.
+ * Observing:  never changes state: an exposure or a probe is a function of planes (as of the last
+ *             epoch) and journal (strokes since); a film's samples depend on its interval only,
+ *             never on what else was observed, on the number of threads or on the instruction set.
+ * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above CRT_PLANE_SHARE);
+ *             shorter terms are computed from the journal of this and the previous epoch.
+ * Ageing:     n epochs are n float multiplications; values below a fixed floor become 0.
+ * Accuracy:   film within 1e-3 of its peak of the exact integral; energy to 1e-5 as long as an
+ *             epoch is 0.003 τ or more (a factor is a float: a rate of decay is good to
+ *             3e-8·τ/T). Cells of at most 1.25 sigma of the smallest spot; larger ones are refused.
+ * Ownership:  crt_tube_create allocates planes and journal, crt_tube_destroy frees them. Films
+ *             belong to the caller. desc is copied; row and phosphor must outlive the tube.
+ * Errors:     out of memory: NULL and a sentence; for strokes crt_tube_intact() tells. Misuse (time
+ *             running backwards, a film of another tube) asserts.
+ * Source:     the integrals are elementary; figures come from crt/tube_table.h and crt/phosphor.h.
+ * Not modelled: video amplifier (vector heads switch the beam), misfocus towards the corners,
+ *             saturation, scan lines.
  */
 #ifndef CRT_TUBE_H
 #define CRT_TUBE_H
@@ -91,8 +98,9 @@ void crt_film_free(struct crt_film *film);
 void crt_film_open(struct crt_tube *tube, struct crt_film *film, uint64_t t0, uint64_t t1);
 void crt_film_cancel(struct crt_tube *tube, struct crt_film *film);
 
-/* Instantaneous luminance at a point of the glass, cd/m² per colour, at time t with
- * last-advance <= t (strokes after t do not count) or within the epoch being journalled. */
+/* Instantaneous luminance at a point of the glass, cd/m² per colour, at time t, not before the
+ * running epoch began (strokes after t do not count). Light of the running epoch is exact; what
+ * planes hold is interpolated between cells, to 1 % of its crest for the smallest spot. */
 void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint64_t t,
                     double cd_m2[CRT_MAX_COLOURS]);
 

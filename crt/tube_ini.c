@@ -83,8 +83,7 @@ static bool continue_text(struct crt_ini *ini, const char *more)
     return *ini->last_text != NULL;
 }
 
-/* ---- sections ----------------------------------------------------------------------------------
- */
+/* ---- sections -------------------------------------------------------------------------------- */
 
 static bool good_name(const char *name, size_t size)
 {
@@ -245,8 +244,7 @@ static bool end_section(struct crt_ini *ini)
     return ok;
 }
 
-/* ---- keys
- * ---------------------------------------------------------------------------------------- */
+/* ---- keys ------------------------------------------------------------------------------------ */
 
 static bool first_time(struct crt_ini *ini, const char *key)
 {
@@ -300,8 +298,7 @@ static int on_pair(void *user, const char *section, const char *key, const char 
     return 1;
 }
 
-/* ---- lines
- * ------------------------------------------------------------------------------------------ */
+/* ---- lines ----------------------------------------------------------------------------------- */
 
 static bool note_line(struct crt_ini *ini, const char *s)
 {
@@ -418,8 +415,7 @@ static bool check_phosphors(struct crt_ini *ini, size_t first_new)
     return true;
 }
 
-/* ---- the working copy
- * --------------------------------------------------------------------------------- */
+/* ---- the working copy ------------------------------------------------------------------------ */
 
 /* A copy of `size` bytes; malloc(1) for none, so that NULL always means trouble. */
 static void *copy_of(const void *from, size_t size)

@@ -1,4 +1,7 @@
-/* tube_parts.h — what a tube is made of; for the files of the tube alone. */
+/* tube_parts.h — what a tube is made of; private to the files of the tube.
+ *
+ * Ownership:  all parts belong to the tube; films are the caller's and only listed.
+ */
 #ifndef CRT_TUBE_PARTS_H
 #define CRT_TUBE_PARTS_H
 

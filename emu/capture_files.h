@@ -1,4 +1,8 @@
-/* capture_files.h — where pictures go: numbered names, and film strips (emu/y4m.h). */
+/* capture_files.h — where pictures go: numbered names, and film strips (emu/y4m.h).
+ *
+ * Ownership:  nothing; names are written to the caller's array.
+ * Errors:     a name that does not fit: one sentence.
+ */
 #ifndef EMU_CAPTURE_FILES_H
 #define EMU_CAPTURE_FILES_H
 

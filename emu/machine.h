@@ -46,8 +46,8 @@ struct vm_recording {
     size_t count;
 };
 
-/* Called by vm_machine_trace only. `word` follows the execution of a word: `t` is when it was fetched
- * and `address` from where; `fetched` is false when the bus timed out instead. */
+/* Called by vm_machine_trace only. `word` follows the execution of a word: `t` is when it was
+ * fetched and `address` from where; `fetched` is false when the bus timed out instead. */
 struct vm_hooks {
     void *ctx;
     void (*word)(void *ctx, uint64_t t, uint16_t address, uint16_t word, bool fetched,
@@ -95,8 +95,8 @@ struct vm_machine {
 
 void vm_machine_init(struct vm_machine *m, const struct vm_machine_desc *desc);
 
-/* Resets the display processor, copies the words into display memory and writes the entry to DPC, at
- * the present time. `name` is for the sentence. Nothing has changed when it fails. */
+/* Resets the display processor, copies the words into display memory and writes the entry to DPC,
+ * at the present time. `name` is for the sentence. Nothing has changed when it fails. */
 bool vm_machine_load(struct vm_machine *m, const struct df_program *program, const char *name,
                      struct crt_error *err);
 /* Plays a recording instead, from power-on. */

@@ -2,8 +2,8 @@
  *
  *      --name VALUE   --name=VALUE   -o VALUE   --flag   --   FILE …
  *
- * A subcommand has one or more tables; each table describes the fields of a struct that receives
- * the values. Help, parsing and suggestions for misspelt options come from the same rows.
+ * Tables:     a subcommand has one or more; each describes the fields of a struct that receives the
+ *             values. Help, parsing and suggestions for misspelt options come from the same rows.
  * Ownership:  strings point into argv. Lists keep at most VM_LIST_MAX items.
  * Errors:     one sentence that names the option and says what is expected.
  */

@@ -6,9 +6,10 @@
  *      60  59.94  60000/1001            rates
  *
  * Time:       decimal text is turned into whole picoseconds by integer arithmetic (rounded down),
- * so 0.1s is exactly 100000000000 ps. Errors:     false and one sentence that quotes the text and
- * says what is expected. Negative, infinite and not-a-number values are refused, and times above
- * one hour.
+ *             so 0.1s is exactly 100000000000 ps.
+ * Ownership:  plain values.
+ * Errors:     false and one sentence that quotes the text and says what is expected. Negative,
+ *             infinite and not-a-number values are refused, and times above one hour.
  */
 #ifndef EMU_QUANTITY_H
 #define EMU_QUANTITY_H

@@ -5,8 +5,9 @@
  *      FILE TUBE Caption to the end of the line
  *      rose.df VR17 A rose drawn by short vectors
  *
- * A tube of - means the default. Where the folder is: --roms DIR, else roms/ beside the command,
- * two folders above it (where it is built), in ../share/kinescope/, or in the current folder.
+ * Tube:       - means the default.
+ * Folder:     --roms DIR, else roms/ beside the command, two folders above it (where it is built),
+ *             in ../share/kinescope/, or in the current folder.
  * Ownership:  plain value; at most VM_TOUR_MAX programs.
  * Errors:     one sentence with file and line.
  */

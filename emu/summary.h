@@ -1,7 +1,8 @@
 /* summary.h — how long a refresh of a program takes, for people.
  *
- * Models:     nothing; runs the machine three times: with the tube row's generator times as they are,
- *             at the low and at the high end of their ranges.
+ * Models:     nothing; runs the machine three times: with the tube row's generator times as they
+ *             are, at the low and at the high end of their ranges.
+ * Ownership:  nothing; the stream stays the caller's.
  * Errors:     an exit status and one sentence.
  */
 #ifndef EMU_SUMMARY_H
