@@ -242,7 +242,7 @@ static void odd_strokes(void **state)
         got = light_in(&film) / brought(&b, &parked);
         print_message("# parked: %g\n", got);
         assert_true(fabs(got - 1) < 2e-3);
-        assert_true(crt_tube_check(b.tube, &err));
+        assert_true(crt_tube_intact(b.tube, &err));
         crt_film_free(&film);
         crt_tube_destroy(b.tube);
     }
