@@ -19,7 +19,8 @@ command -v clang >/dev/null || {
 out=o/fuzz
 mkdir -p "$out"
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -O1 -g -I. -pthread
-       -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer"
+       -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+       -DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION"
 
 # Objects are rebuilt when the source or any header is newer: there is no make in between.
 newest_header=$(ls -t crt/*.h display_file/*.h emu/*.h raster/*.h input/*.h tests/support/*.h 2>/dev/null | head -n 1)
@@ -31,6 +32,9 @@ object() { # SOURCE EXTRA-FLAGS
         clang $flags $simd "$2" -c -o "$o" "$1"
     fi
 }
+
+# GL drivers and their like keep memory; what the fuzzers drive must not.
+export LSAN_OPTIONS="suppressions=$PWD/tests/support/lsan.supp:print_suppressions=0"
 
 # The device folders and what emu/ has besides main() and windows; unused members are left out by the linker.
 sources=$(ls crt/*.c display_file/*.c raster/*.c input/*.c emu/*.c 2>/dev/null | grep -v '^emu/main\.c$')

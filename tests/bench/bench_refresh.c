@@ -202,7 +202,7 @@ int main(void)
         refresh(CRT_SIMD_BASELINE, "baseline", changing, 300);
         refresh(CRT_SIMD_AUTO, "best", changing, 300);
     }
-    static const char *const programs[] = {"charset", "testcard", "logic", "rose",
+    static const char *const programs[] = {"charset", "testcard", "logic",   "rose",
                                            "spin",    "radar",    "growing", "lander"};
     for (size_t i = 0; i < sizeof programs / sizeof programs[0]; i++) {
         char path[64];
