@@ -24,7 +24,7 @@ for test in "$@"; do
     fi
     case "$test" in *"${TEST_ONLY:-}"*) ;; *) continue ;; esac
     name=$(basename "$test" .sh)
-    log="$TEST_OUT/$name.log"
+    log="$TEST_OUT/$(basename "$test").log" # test_window.c and test_window.sh have one each
     start=$(date +%s)
     if [ $kind = shell ]; then sh "$test" >"$log" 2>&1; else "$test" >"$log" 2>&1; fi
     status=$?
