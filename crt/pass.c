@@ -80,6 +80,12 @@ struct crt_pass *crt_pass_create(int cols, int rows, int planes, int threads)
     return NULL;
 }
 
+float *crt_pass_scratch(const struct crt_pass *pass, size_t *chunks)
+{
+    *chunks = pass->scratch_chunks;
+    return pass->scratch;
+}
+
 void crt_pass_destroy(struct crt_pass *pass)
 {
     if (!pass)
@@ -511,62 +517,4 @@ void crt_pass_run(struct crt_tube *tube, const struct crt_feed *feeds, int count
         feeds[i].film->blank = false;
         feeds[i].film->fed_to = feeds[i].to;
     }
-}
-
-/* ---- totals
- * ---------------------------------------------------------------------------------------------- */
-
-struct summing {
-    const struct crt_tube *tube;
-    double sum;
-};
-
-static void sum_piece(void *context, const struct crt_piece_plan *plan)
-{
-    struct summing *summing = context;
-    const struct crt_pass *pass = summing->tube->pass;
-    struct crt_shape shape;
-    if (!crt_shape_init(&shape, &plan->stretch, pass->cols, pass->rows))
-        return;
-    int across = shape.walk == CRT_WALK_COLUMNS ? shape.a1 - shape.a0 : shape.count;
-    int step = greater(1, (int)(pass->scratch_chunks / (size_t)across));
-    float *f0 = pass->scratch, *f1 = f0 + 8 * pass->scratch_chunks;
-    double sum0 = 0, sum1 = 0;
-    for (int row = shape.r0; row < shape.r1; row += step) {
-        struct crt_part part = {row, lesser(row + step, shape.r1), false};
-        size_t floats = 8 * crt_part_chunks(&shape, part);
-        memset(f0, 0, floats * sizeof f0[0]); /* groups may leave slots unused */
-        memset(f1, 0, floats * sizeof f1[0]);
-        summing->tube->kernels->evaluate(&shape, part, f0, f1);
-        for (size_t i = 0; i < floats; i++) {
-            sum0 += (double)f0[i];
-            sum1 += (double)f1[i];
-        }
-    }
-    double w1 = shape.turned ? -(double)plan->weight[0].w1 : (double)plan->weight[0].w1;
-    summing->sum += ((double)plan->weight[0].w0 * sum0 + w1 * sum1) / shape.area;
-}
-
-static void sum_entries(struct summing *summing, const struct crt_entries *entries, uint32_t mask,
-                        uint64_t begin, uint64_t end)
-{
-    const struct crt_tube *tube = summing->tube;
-    const struct crt_phosphor *phosphor = tube->desc.phosphor;
-    struct crt_receiver receiver = {.shares = 1};
-    receiver.share[0] = (struct crt_share){.ref = tube->now, .to = end};
-    for (int k = 0; k < phosphor->terms; k++)
-        if (mask >> k & 1)
-            crt_share_add(&receiver.share[0], phosphor->term[k].w, phosphor->term[k].tau_s);
-    struct crt_drawn drawn;
-    for (size_t i = 0; i < entries->count; i++)
-        if (crt_drawn_init(&drawn, &entries->at[i], &tube->desc.grid, begin, end))
-            crt_plan(&drawn, &receiver, 1, sum_piece, summing);
-}
-
-double crt_pass_stored(const struct crt_tube *tube)
-{
-    struct summing summing = {tube, 0};
-    sum_entries(&summing, &tube->journal.before, tube->quick, 0, tube->begin);
-    sum_entries(&summing, &tube->journal.now, UINT32_MAX, tube->begin, tube->now);
-    return summing.sum;
 }

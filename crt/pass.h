@@ -30,6 +30,9 @@ void crt_pass_destroy(struct crt_pass *pass);
 /* `commit`: the running epoch ends, planes become those of its end. */
 void crt_pass_run(struct crt_tube *tube, const struct crt_feed *feeds, int count, bool commit);
 
+/* Room for the F0 and then the F1 of so many chunks; for one thread, between passes. */
+float *crt_pass_scratch(const struct crt_pass *pass, size_t *chunks);
+
 /* Sum over the cells of the grid of the light that strokes of the journal still hold at `now`,
  * in cd·s/m² (for totals; slow). */
 double crt_pass_stored(const struct crt_tube *tube);

@@ -52,13 +52,10 @@ static void make_scene(struct scene *scene, const struct crt_grid *grid, struct 
             s.t1 = t + 1000000 + model_random(&moving) % 100000000;
             if (n == 2 && i == 139)
                 s.t1 = end + (crt_tick_time(epoch, 1)) + 12345; /* through all of the next epoch */
-            if ((n == 3 || n == 4) && s.t0 < scene->stroke[scene->count - 1].t1)
-                s.t1 += 0;
             scene->stroke[scene->count++] = s;
             t = s.t1 + 100;
         }
     }
-    /* In order of their start: the long one is overlapped by the next epochs' strokes. */
 }
 
 struct how {
@@ -67,7 +64,6 @@ struct how {
     bool no_reuse;
     uint64_t step; /* of advance; 0: tick by tick */
     int observers; /* other films, and probes */
-    unsigned knobs;
 };
 
 struct interval {
@@ -179,17 +175,24 @@ static void samples_depend_on_nothing_else(void **state)
         {crt_tick_time(epoch, 3) + 777, crt_tick_time(epoch, 5) - 5000000000},
         {crt_tick_time(epoch, 4) + 2000000000, crt_tick_time(epoch, 4) + 2000500000},
     };
-    const struct how plain = {1, CRT_SIMD_BASELINE, true, 0, 0, 0};
+    const struct how plain = {1, CRT_SIMD_BASELINE, true, 0, 0};
     const struct how others[] = {
-        {1, CRT_SIMD_AUTO, true, 0, 0, 0},
-        {1, CRT_SIMD_BASELINE, false, 0, 0, 0},
-        {1, CRT_SIMD_AUTO, false, 0, 0, 0},
-        {2, CRT_SIMD_AUTO, true, 0, 0, 0},
-        {4, CRT_SIMD_BASELINE, false, 0, 0, 0},
-        {1, CRT_SIMD_AUTO, true, 1234567891, 0, 0},
-        {1, CRT_SIMD_AUTO, true, 50000000000, 0, 0},
-        {1, CRT_SIMD_AUTO, true, 0, 3, 0},
-        {3, CRT_SIMD_AUTO, false, 3234567891, 12, 0},
+        {1, CRT_SIMD_AUTO, true, 0, 0},
+        {1, CRT_SIMD_BASELINE, false, 0, 0},
+        {1, CRT_SIMD_AUTO, false, 0, 0},
+        {2, CRT_SIMD_AUTO, true, 0, 0},
+        {4, CRT_SIMD_BASELINE, false, 0, 0},
+        {1, CRT_SIMD_AUTO, true, 1234567891, 0},
+        {1, CRT_SIMD_AUTO, true, 50000000000, 0},
+        {1, CRT_SIMD_AUTO, true, 0, 3},
+        {3, CRT_SIMD_AUTO, false, 3234567891, 12},
+    };
+    /* Recorded; the same from every compiler and processor. To be recorded anew when the tube
+     * itself is changed on purpose. */
+    static const uint64_t recorded[3][3] = {
+        {UINT64_C(0xea3d472e0644d0ec), UINT64_C(0xf78afe16736e85db), UINT64_C(0x80adc875ee6528dc)},
+        {UINT64_C(0x54ec4419b7b9a82d), UINT64_C(0xe7ba08d256b0f0ae), UINT64_C(0x4df873e214148247)},
+        {UINT64_C(0x2ad7e2d3c4a4ef7f), UINT64_C(0x2d761ebd4c2837ff), UINT64_C(0xe5e6d2716b9d7089)},
     };
     for (int kind = 0; kind < 3; kind++) {
         struct crt_phosphor p = phosphor(kind);
@@ -198,6 +201,7 @@ static void samples_depend_on_nothing_else(void **state)
             assert_true(lit > 5000);
             print_message("# phosphor %d, film %u: %016llx, %llu lit\n", kind, i,
                           (unsigned long long)want, (unsigned long long)lit);
+            assert_int_equal(want, recorded[kind][i]);
             for (unsigned k = 0; k < sizeof others / sizeof others[0]; k++) {
                 uint64_t got = film_of(&p, &scene, others[k], intervals[i], &other_lit);
                 if (got != want)
@@ -207,7 +211,6 @@ static void samples_depend_on_nothing_else(void **state)
     }
 }
 
-/* Also in a close-up, where a spot is many chunks wide and strokes are cut in blocks. */
 static void an_absent_instruction_set_is_named(void **state)
 {
     (void)state;
