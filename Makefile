@@ -4,7 +4,7 @@
 #   make test    install what is missing, build, run every test; ends with "N passed, N failed"
 #   make help    everything else
 #
-# MODE=rel|dbg|asan|tsan and CC=gcc|clang choose the folder o/$(MODE)-$(CC) that objects go to.
+# MODE=rel|dbg|asan|tsan|cov and CC=gcc|clang choose the folder o/$(MODE)-$(CC) that objects go to.
 
 MODE ?= rel
 ifeq ($(origin CC),default)
@@ -37,14 +37,19 @@ ARCHIVES  := $(foreach d,emu input raster display_file crt,$(O)/lib$(d).a)
 # ---- flags --------------------------------------------------------------------------------------
 
 WARN      := -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+# WERROR=1: a warning fails the build, as in CI. Not the default: newer compilers warn of more.
+ifeq ($(WERROR),1)
+WARN      += -Werror
+endif
 # Same bytes everywhere: no contraction to fused multiply-add, no reassociation.
 EXACT     := -ffp-contract=off
 MODE_rel  := -O2
 MODE_dbg  := -O0 -g3
 MODE_asan := -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 MODE_tsan := -O1 -g -fsanitize=thread
+MODE_cov  := -O0 -g --coverage -fprofile-update=atomic
 ifeq ($(MODE_$(MODE)),)
-$(error MODE is $(MODE); it must be rel, dbg, asan or tsan)
+$(error MODE is $(MODE); it must be rel, dbg, asan, tsan or cov)
 endif
 CFLAGS    := -std=c11 -D_POSIX_C_SOURCE=200809L $(WARN) $(EXACT) $(MODE_$(MODE)) -g -I. -pthread $(EXTRA_CFLAGS)
 LDFLAGS   := $(MODE_$(MODE)) -pthread
@@ -54,7 +59,7 @@ TEST_LIBS := -lcmocka
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: all demo test check sanitize tsan bench golden layers headers format clean help deps fuzz pictures
+.PHONY: all demo test check sanitize tsan coverage bench golden layers headers format clean help deps fuzz pictures
 
 all: $(KINESCOPE)
 
@@ -100,7 +105,10 @@ $(REPLAY_BINS): $(O)/%_replay: $(O)/%.o $(O)/tests/fuzz/replay.o $(ARCHIVES)
 # ---- what people call ------------------------------------------------------------------------------
 
 PACKAGES_RUN  := libpng-dev libglfw3-dev libinih-dev nettle-dev libosmesa6 libegl1 libgl1-mesa-dri
-PACKAGES_TEST := $(PACKAGES_RUN) libcmocka-dev xvfb xdotool imagemagick x11-utils
+PACKAGES_TEST := $(PACKAGES_RUN) libcmocka-dev xvfb xdotool imagemagick
+
+# All processors build, unless make was told how many (-j).
+JOBS = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2))
 
 # Names what is missing, then installs it; says nothing and needs no network when all is there.
 deps-run: PACKAGES := $(PACKAGES_RUN)
@@ -111,23 +119,30 @@ deps-run deps-test:
 	@tests/install-missing.sh $(PACKAGES)
 
 demo: deps-run
-	@$(MAKE) --no-print-directory all
+	@$(MAKE) $(JOBS) --no-print-directory all
 	@tests/demo.sh ./kinescope
 
 test: deps-test
-	@$(MAKE) --no-print-directory check
+	@$(MAKE) $(JOBS) --no-print-directory check
 
 check: all layers headers $(TEST_BINS) $(REPLAY_BINS)
-	@tests/run.sh $(O) $(TEST_BINS) $(REPLAY_BINS) -- $(sort $(wildcard tests/*/test_*.sh))
+	@TEST_MODE=$(MODE) tests/run.sh $(O) $(TEST_BINS) $(REPLAY_BINS) -- $(sort $(wildcard tests/*/test_*.sh))
 
 sanitize: deps-test
-	@$(MAKE) --no-print-directory MODE=asan check
+	@$(MAKE) $(JOBS) --no-print-directory MODE=asan check
 
 tsan: deps-test
-	@$(MAKE) --no-print-directory MODE=tsan check
+	@$(MAKE) $(JOBS) --no-print-directory MODE=tsan check
+
+# Lines that the kept inputs of the fuzzers run, alone and together with the C tests.
+coverage: deps-test
+	@$(MAKE) $(JOBS) --no-print-directory MODE=cov coverage-run
+coverage-run: $(REPLAY_BINS) $(TEST_BINS)
+	@tests/coverage.sh $(O) $(REPLAY_BINS) -- $(TEST_BINS)
+.PHONY: coverage-run
 
 bench: deps-run
-	@$(MAKE) --no-print-directory all $(BENCH_BINS)
+	@$(MAKE) $(JOBS) --no-print-directory all $(BENCH_BINS)
 	@tests/bench.sh $(BENCH_BINS)
 
 # The pictures of the README (glass: they vary a little with the GL driver).
@@ -159,18 +174,22 @@ clean:
 	rm -rf o kinescope
 
 help:
-	@echo "make             build ./kinescope (MODE=rel|dbg|asan|tsan, CC=gcc|clang)"
+	@echo "make             build ./kinescope (MODE=rel|dbg|asan|tsan|cov, CC=gcc|clang)"
+	@echo "                 WERROR=1 makes warnings errors"
 	@echo "make demo        install what is missing, build, show the tour in a window or write its PNGs"
 	@echo "make test        install what is missing, build, run all tests: 'N passed, N failed'"
 	@echo "make sanitize    all tests under AddressSanitizer and UndefinedBehaviorSanitizer"
 	@echo "make tsan        all tests under ThreadSanitizer"
+	@echo "make coverage    lines of the readers and of display_file/ that corpora and tests run (gcov)"
 	@echo "make bench       speeds, as ratios within one run"
 	@echo "make fuzz        run the fuzzers for FUZZ_SECONDS each (clang)"
+	@echo "make check       the tests of 'make test' without installing anything (TEST_ONLY=pattern)"
 	@echo "make golden      regenerate the golden traces and films (look at them before committing)"
 	@echo "make pictures    draw the pictures of the README"
 	@echo "make layers      check that includes go one way"
 	@echo "make headers     check that every header compiles alone"
 	@echo "make format      clang-format the tree"
+	@echo "make deps        install what the tests need, and nothing else"
 	@echo "make clean       remove what was built"
 
 -include $(shell find $(O) -name '*.d' 2>/dev/null)

@@ -29,6 +29,11 @@ static void forget_terms(struct crt_ini *ini)
     ini->terms_given = true;
 }
 
+static bool t10_alone(struct crt_ini *ini)
+{
+    return crt_ini_fail(ini, "t10 stands for all terms; expected no 'rate' or 'term' beside it");
+}
+
 static bool read_term(struct crt_ini *ini, const char *key, const char *value)
 {
     struct crt_phosphor *p = &ini->phosphor;
@@ -51,6 +56,8 @@ static bool read_term(struct crt_ini *ini, const char *key, const char *value)
                             key, value);
     if (colour != 1 && colour != 2)
         return crt_ini_fail(ini, "%s names colour %g; expected 1 or 2", key, colour);
+    if (ini->t10)
+        return t10_alone(ini);
     if (!ini->terms_given) {
         forget_terms(ini);
         ini->rates = rate;
@@ -75,10 +82,9 @@ static bool read_t10(struct crt_ini *ini, const char *value)
                             "'t10 = 150ms'",
                             value);
     if (ini->terms_given)
-        return crt_ini_fail(ini,
-                            "t10 stands for all terms; expected no 'rate' or 'term' beside it");
+        return t10_alone(ini);
     forget_terms(ini);
-    ini->rates = true;
+    ini->t10 = true;
     ini->phosphor.terms = 1;
     ini->phosphor.term[0] = (struct crt_phosphor_term){1, t10 / 2.302585092994046, 0};
     return true;

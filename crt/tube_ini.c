@@ -94,7 +94,7 @@ static bool good_name(const char *name, size_t size)
 static bool begin_section(struct crt_ini *ini, const char *title)
 {
     ini->keys = ini->seen_count = 0;
-    ini->like = ini->terms_given = ini->rates = ini->own_source = false;
+    ini->like = ini->terms_given = ini->rates = ini->own_source = ini->t10 = false;
     memset(&ini->tube, 0, sizeof ini->tube);
     memset(&ini->phosphor, 0, sizeof ini->phosphor);
     const char *name;
@@ -446,19 +446,15 @@ static void drop(struct crt_catalogue *c, size_t first)
     free(c->phosphors);
 }
 
-bool crt_catalogue_load(struct crt_catalogue *c, const char *path, struct crt_error *err)
+bool crt_catalogue_load_text(struct crt_catalogue *c, const char *name, const char *text,
+                             size_t length, struct crt_error *err)
 {
-    size_t size;
-    char *text = read_file(path, &size, err);
-    if (!text)
-        return false;
     struct crt_catalogue work;
-    struct crt_ini ini = {.path = path, .text = text, .end = text + size, .err = err, .c = &work};
+    struct crt_ini ini = {.path = name, .text = text, .end = text + length, .err = err, .c = &work};
     ini.old_strings = c->string_count;
     bool ok =
         copy_catalogue(&work, c) || crt_ini_fail(&ini, "out of memory; free some and try again");
     ok = ok && parse(&ini) && check_phosphors(&ini, c->tube_count);
-    free(text);
     if (!ok) {
         drop(&work, ini.old_strings);
         return false;
@@ -466,4 +462,15 @@ bool crt_catalogue_load(struct crt_catalogue *c, const char *path, struct crt_er
     drop(c, c->string_count);
     *c = work;
     return true;
+}
+
+bool crt_catalogue_load(struct crt_catalogue *c, const char *path, struct crt_error *err)
+{
+    size_t size;
+    char *text = read_file(path, &size, err);
+    if (!text)
+        return false;
+    bool ok = crt_catalogue_load_text(c, path, text, size, err);
+    free(text);
+    return ok;
 }

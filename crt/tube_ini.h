@@ -69,6 +69,7 @@ struct crt_ini {
     struct crt_tube_row tube;
     struct crt_phosphor phosphor;
     bool like, terms_given, rates, own_source;
+    bool t10; /* which stands for all terms */
 };
 
 /* Writes "FILE:LINE: …"; only the first call counts. Returns false. */

@@ -103,6 +103,9 @@ bool crt_catalogue_init(struct crt_catalogue *c, struct crt_error *err);
  * may name `like = VR17` and change only some figures. Nothing is added when the file has an error.
  * Rows looked up before may move: look them up again. */
 bool crt_catalogue_load(struct crt_catalogue *c, const char *path, struct crt_error *err);
+/* The same for text in memory, `length` bytes; `name` stands for the file in sentences. */
+bool crt_catalogue_load_text(struct crt_catalogue *c, const char *name, const char *text,
+                             size_t length, struct crt_error *err);
 const struct crt_tube_row *crt_catalogue_tube(const struct crt_catalogue *c, const char *name);
 const struct crt_phosphor *crt_catalogue_phosphor(const struct crt_catalogue *c, const char *name);
 void crt_catalogue_free(struct crt_catalogue *c);

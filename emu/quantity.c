@@ -11,14 +11,16 @@
 
 __extension__ typedef unsigned __int128 u128;
 
-/* A non-negative decimal number as digits / 10^places; at most 18 digits count. */
+/* A non-negative decimal number as digits / 10^places. */
 struct decimal {
     uint64_t digits;
     unsigned places;
 };
 
-/* Reads digits[.digits]; returns the first character after it, or NULL when there is no number or
- * it has more than 18 digits. */
+#define MAX_PLACES 18 /* 10^18 times any unit fits into 128 bits */
+
+/* Reads digits[.digits]; returns the first character after it, or NULL when there is no number, or
+ * it has more than 18 digits (leading zeros aside) or places. */
 static const char *read_decimal(const char *text, struct decimal *d)
 {
     unsigned count = 0;
@@ -30,7 +32,7 @@ static const char *read_decimal(const char *text, struct decimal *d)
             point = true;
             continue;
         }
-        if (d->digits > UINT64_C(99999999999999999))
+        if (d->digits > UINT64_C(99999999999999999) || (point && d->places == MAX_PLACES))
             return NULL;
         d->digits = d->digits * 10 + (uint64_t)(*p - '0');
         d->places += point;

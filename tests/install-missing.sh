@@ -21,6 +21,10 @@ if [ "$(id -u)" != 0 ]; then
     fi
     sudo=sudo
 fi
-$sudo apt-get update -q
+# Without a network the update fails; the packages may be in the cache all the same.
+$sudo apt-get update -q || true
 # shellcheck disable=SC2086
-$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing
+$sudo env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing || {
+    echo "kinescope: the packages could not be installed; see above, then run as root: apt-get install$missing" >&2
+    exit 1
+}

@@ -18,11 +18,15 @@ bad=$(
     allowed emu 'emu|display_file|raster|input|crt'
     grep -rnE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' roms --include='*.[chS]' 2>/dev/null |
         grep -vE '"(roms/|[a-z_/]*_regs\.h|emu/memmap\.h)' || true
-    grep -nE '#[[:space:]]*include[[:space:]]+<(GLFW|EGL|GL)/' crt/*.[ch] display_file/*.[ch] emu/*.[ch] 2>/dev/null |
+    # A path that goes up hides where it leads.
+    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"[^"]*\.\./' ./*/*.[ch] ./*/*.inc 2>/dev/null |
+        sed 's|^\./||' || true
+    grep -nE '#[[:space:]]*include[[:space:]]+<(GLFW|EGL|GL|X11|wayland[a-z-]*)[/.]' crt/*.[ch] \
+        display_file/*.[ch] raster/*.[ch] input/*.[ch] emu/*.[ch] 2>/dev/null |
         grep -vE '^(crt/gl_context_[a-z]+\.c|crt/gl_api\.[ch]|emu/window[a-z_]*\.c):' || true
 )
 if [ -n "$bad" ]; then
     echo "layers: these includes go the wrong way:" >&2
-    echo "$bad" >&2
+    echo "$bad" | sort -u >&2
     exit 1
 fi

@@ -3,12 +3,16 @@
 #
 # Test binaries and shell tests print TAP ("ok 1 - name", "not ok 2 - name", "ok 3 - name # SKIP why").
 # Ends with "N passed, N failed, N skipped" alone on a line; exit status 1 when anything failed.
-# TEST_ONLY=pattern runs only the files whose path matches.
+# TEST_ONLY=pattern runs only the files whose path matches. TEST_MODE (rel, dbg, asan, tsan, cov) is told
+# to the tests: what compares bytes or speeds and would take long may skip itself in a sanitizer mode.
 set -u
 objects=$1
 shift
+export TEST_MODE="${TEST_MODE:-rel}"
 export KINESCOPE="$PWD/$objects/kinescope" CMOCKA_MESSAGE_OUTPUT=TAP
 export TEST_OUT="$PWD/$objects/test-out"
+# Memory that GL drivers keep is not ours; no lines about it, either: tests compare what is printed.
+export LSAN_OPTIONS="suppressions=$PWD/tests/support/lsan.supp:print_suppressions=0${LSAN_OPTIONS:+:$LSAN_OPTIONS}"
 rm -rf "$TEST_OUT"
 mkdir -p "$TEST_OUT"
 passed=0 failed=0 skipped=0
@@ -20,7 +24,7 @@ for test in "$@"; do
     fi
     case "$test" in *"${TEST_ONLY:-}"*) ;; *) continue ;; esac
     name=$(basename "$test" .sh)
-    log="$TEST_OUT/$name.log"
+    log="$TEST_OUT/$(basename "$test").log" # test_window.c and test_window.sh have one each
     start=$(date +%s)
     if [ $kind = shell ]; then sh "$test" >"$log" 2>&1; else "$test" >"$log" 2>&1; fi
     status=$?

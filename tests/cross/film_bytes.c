@@ -54,8 +54,7 @@ int main(int argc, char **argv)
     const struct crt_rate tick = {(uint64_t)row->sync.value, 1};
 
     struct df_program program;
-    if (!df_program_init(&program, &err) ||
-        !df_load_oct(argv[1], text, length, &program, &err))
+    if (!df_program_init(&program, &err) || !df_load_oct(argv[1], text, length, &program, &err))
         return die(err.text);
     struct crt_tube *tube = crt_tube_create(&(struct crt_tube_desc){.row = row,
                                                                     .phosphor = phosphor,

@@ -33,6 +33,16 @@ else
     skip "AVX2" "this processor has none"
 fi
 
+case ${TEST_MODE:-rel} in
+rel | dbg) ;;
+*)
+    # These builds have no sanitizer in them and are the same as in the ordinary run.
+    skip "gcc -O2, clang and aarch64 builds" "compared in MODE=rel"
+    echo "1..$n"
+    exit 0
+    ;;
+esac
+
 "$KINESCOPE" asm $program -o "$out/program.oct" || exit 1
 # What a film needs, without libpng, GL, inih and nettle; the AVX2 kernels on x86-64 only.
 sources="tests/cross/film_bytes.c $(ls crt/*.c display_file/*.c |

@@ -291,6 +291,7 @@ static void wrong_phosphors(void **state)
     must_refuse(P "rate = 1 2ms colour 2\n", 1, "no term has colour 1");
     must_refuse(P "rate = 1 2ms\nterm = 1 2ms\n", 4, "two ways");
     must_refuse(P "rate = 1 2ms\nt10 = 2ms\n", 4, "beside");
+    must_refuse(P "t10 = 2ms\nrate = 1 2ms\n", 4, "beside");
     must_refuse(P "rate = 1e12 2ms\nrate = 1e-9 1us\n", 1, "1e-12");
     must_refuse(P "t10 = 150\n", 3, "unit");
     must_refuse(P "jedec = soon\n", 3, "times");

@@ -55,17 +55,31 @@ static void ticks_follow_the_rate(void **state)
     assert_false(vm_time_ps(&t, (struct crt_rate){60, 1}, &ps, &err));
 }
 
+#define Z16 "0000000000000000"
+#define Z64 Z16 Z16 Z16 Z16
+
 static void absurd_times_are_refused(void **state)
 {
     (void)state;
     static const struct {
         const char *text, *says;
     } bad[] = {
-        {"-1s", "negative"}, {"nan", "not a time"},  {"inf", "not a time"},
-        {"", "not a time"},  {".", "not a time"},    {"1", "needs a unit"},
-        {"1.5f", "whole"},   {"1h", "unit of time"}, {"3601s", "one hour"},
-        {"1e3s", "unit"},    {"1.2.3s", "unit"},     {"99999999999999999999s", "not a time"},
-        {"1 s", "unit"},     {"0x10s", "unit"},
+        {"-1s", "negative"},
+        {"nan", "not a time"},
+        {"inf", "not a time"},
+        {"", "not a time"},
+        {".", "not a time"},
+        {"1", "needs a unit"},
+        {"1.5f", "whole"},
+        {"1h", "unit of time"},
+        {"3601s", "one hour"},
+        {"1e3s", "unit"},
+        {"1.2.3s", "unit"},
+        {"99999999999999999999s", "not a time"},
+        {"0.0000000000000000001s", "not a time"},
+        {"." Z64 Z64 "1s", "not a time"}, /* 10^128 is 0 mod 2^128 */
+        {"1 s", "unit"},
+        {"0x10s", "unit"},
     };
     for (size_t i = 0; i < COUNT(bad); i++) {
         struct vm_time t;

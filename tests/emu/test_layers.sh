@@ -1,0 +1,70 @@
+#!/bin/sh
+# layers.sh on copies of the tree's folders with one wrong include each: it must name it and fail.
+# Needs $TEST_OUT; prints TAP.
+set -u
+script=$PWD/tests/layers.sh
+top=$PWD
+work=$TEST_OUT/layers
+rm -rf "$work"
+mkdir -p "$work"
+number=0
+failed=0
+
+report() { # STATUS NAME
+    number=$((number + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $number - $2"
+    else
+        echo "not ok $number - $2; it said:"
+        sed 's/^/#   /' "$work/said"
+        failed=1
+    fi
+}
+
+# A fresh copy with FILE that holds one line.
+tree() { # FILE LINE
+    rm -rf "$work/tree"
+    mkdir -p "$work/tree/roms"
+    for folder in crt display_file raster input emu; do
+        [ -d "$top/$folder" ] && cp -R "$top/$folder" "$work/tree/"
+    done
+    echo "$2" >"$work/tree/$1"
+}
+check() { (cd "$work/tree" && sh "$script") >"$work/said" 2>&1; }
+
+good() {
+    tree "$1" "$2"
+    check
+    report $? "$1 may say $2"
+}
+bad() {
+    tree "$1" "$2"
+    ! check && grep -q "^$1:1:" "$work/said"
+    report $? "$1 may not say $2"
+}
+
+good crt/a.c '#include "crt/tube.h"'
+good display_file/a.c '#include "crt/tube.h"'
+good emu/a.c '#include "display_file/dpu.h"'
+good emu/a.c '#include <stdio.h>'
+good roms/a.c '#include "display_file/df_regs.h"'
+bad crt/a.c '#include "display_file/dpu.h"'
+bad crt/a.c '#include "emu/machine.h"'
+bad crt/a.c '#include "tube.h"'
+bad crt/a.inc '#include "emu/machine.h"'
+bad crt/a.h '  #  include  "raster/video.h"'
+bad crt/a.c '#include "../emu/machine.h"'
+bad crt/a.c '#include "crt/../emu/machine.h"'
+bad display_file/a.h '#include "emu/machine.h"'
+bad display_file/a.h '#include "raster/video.h"'
+bad raster/a.c '#include "input/pen.h"'
+bad input/a.c '#include "display_file/dpu.h"'
+bad emu/a.c '#include "tests/support/source.h"'
+bad roms/a.c '#include "emu/machine.h"'
+bad emu/machine.c '#include <GLFW/glfw3.h>'
+bad crt/glass.c '#include <EGL/egl.h>'
+bad raster/a.c '#include <GL/gl.h>'
+bad input/a.c '#include <GLFW/glfw3.h>'
+bad emu/a.c '#include <X11/Xlib.h>'
+echo "1..$number"
+exit $failed
