@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include "emu/command.h"
+#include "emu/progress.h"
 #include "emu/show.h"
 #include "emu/trouble.h"
 
@@ -51,13 +52,16 @@ static int headless(const struct options *o, const struct vm_settings *settings,
                     const struct vm_input *input, struct crt_error *err)
 {
     struct vm_rig rig;
+    struct vm_progress progress;
     uint64_t length = HEADLESS_PS;
     if (o->length.given && !vm_time_ps(&o->length, settings->tick, &length, err))
         return VM_EXIT_USAGE;
     if (!vm_rig_open(&rig, settings, input, DF_TIMING_VALUE, NULL, err))
         return VM_EXIT_TROUBLE;
     double begin = seconds();
-    vm_machine_run(rig.machine, length);
+    vm_progress_begin(&progress);
+    vm_progress_run(&progress, rig.machine, length);
+    vm_progress_end(&progress);
     double took = seconds() - begin, simulated = (double)length / (double)CRT_PS_PER_S;
     const struct vm_machine *m = rig.machine;
     fprintf(
