@@ -85,7 +85,7 @@ const struct vm_command vm_command_asm = {
     "FILE.df [-o OUT.oct] [--listing]",
     "Assemble display-file source into octal words",
     "All errors of a file are printed in one go, each with its place and what was expected.",
-    "  kinescope asm star.df -o star.oct\n"
-    "  kinescope asm star.df --listing",
+    "  kinescope asm roms/rose.df -o rose.oct\n"
+    "  kinescope asm roms/rose.df --listing",
     run,
 };

@@ -366,12 +366,13 @@ const struct vm_command vm_command_capture = {
     "Render pictures without a display",
     "A program in trouble (an illegal word, a bus time-out, a beam never lit) or a black picture "
     "is "
-    "reported\nin one sentence with exit status 1, and nothing is written unless --allow-dark is "
+    "reported in one sentence with exit status 1, and nothing is written unless --allow-dark is "
     "given.",
-    "  kinescope capture star.df -o star.png\n"
-    "  kinescope capture star.df --film --depth 16 --hash\n"
-    "  kinescope capture sweep.df --tube RADAR7 --at 2.5s -o sweep.png\n"
-    "  kinescope capture spin.df --from 0s --to 2s --fps 60 --y4m - | ffmpeg -i - spin.mp4\n"
-    "  kinescope capture star.df --closeup 512,512,8 -o spot.png",
+    "  kinescope capture roms/lander.df -o lander.png\n"
+    "  kinescope capture roms/lander.df --film --depth 16 --hash\n"
+    "  kinescope capture roms/radar.df --at 2.5s -o sweep.png\n"
+    "  kinescope capture roms/spin.df --from 0s --to 2s --fps 60 --y4m spin.y4m\n"
+    "  kinescope capture roms/spin.df --from 0s --to 2s --fps 60 --y4m - | ffmpeg -i - spin.mp4\n"
+    "  kinescope capture roms/rose.df --closeup 512,690,8 -o spot.png",
     run,
 };

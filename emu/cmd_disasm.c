@@ -72,7 +72,7 @@ const struct vm_command vm_command_disasm = {
     "FILE.oct [-o OUT.df]",
     "Turn words back into source that assembles to the same words",
     "FILE may also be a DEC absolute tape (.lda) or, with --base, a raw memory image.",
-    "  kinescope disasm star.oct -o star.df\n"
+    "  kinescope disasm rose.oct -o again.df\n"
     "  kinescope disasm dump.bin --base 1000 --start 1000",
     run,
 };

@@ -149,9 +149,9 @@ const struct vm_command vm_command_run = {
     "Show a program in a window; without FILE a tour",
     "F1 in the window shows the keys. Every key except F1 to F12 and those held with Right Ctrl "
     "belongs "
-    "to the\nprogram. A file that changes is loaded again; a file dropped on the window is shown.",
+    "to the program. A file that changes is loaded again; a file dropped on the window is shown.",
     "  kinescope run\n"
-    "  kinescope run star.df --tube VR14 --time-scale 0.001\n"
-    "  kinescope run star.df --headless --for 60s",
+    "  kinescope run roms/lander.df --tube VR14 --time-scale 0.001\n"
+    "  kinescope run roms/spin.df --headless --for 60s",
     run,
 };

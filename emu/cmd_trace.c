@@ -200,11 +200,11 @@ const struct vm_command vm_command_trace = {
     "Print what the machine does, one line per event",
     "dpu <time_ps> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo: a word, fetched at "
     "that time "
-    "from\nDPC, and the registers as read after it. --what beam is the .beam format: capture reads "
+    "from DPC, and the registers as read after it. --what beam is the .beam format: capture reads "
     "it back "
     "to the same film.",
-    "  kinescope trace star.df | head\n"
-    "  kinescope trace star.df --summary\n"
-    "  kinescope trace star.df --what beam -o star.beam",
+    "  kinescope trace roms/rose.df | head\n"
+    "  kinescope trace roms/growing.df --summary --for 10s\n"
+    "  kinescope trace roms/rose.df --what beam -o rose.beam",
     run,
 };

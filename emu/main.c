@@ -36,7 +36,7 @@ static int help(void)
            "A display processor draws with a simulated electron beam; a phosphor glows and "
            "decays.\n\n");
     for (size_t i = 0; i < COMMANDS; i++)
-        printf("  kinescope %-8s %-34s %s\n", commands[i]->name, commands[i]->arguments,
+        printf("  kinescope %-8s %-36s %s\n", commands[i]->name, commands[i]->arguments,
                commands[i]->summary);
     printf(
         "\nkinescope SUBCOMMAND --help lists the options of each, with examples. To begin:\n\n"
