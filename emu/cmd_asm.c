@@ -1,12 +1,12 @@
 /* asm — display-file source to words. */
-#include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "display_file/asm.h"
 #include "display_file/loaders.h"
 #include "emu/command.h"
+#include "emu/out_file.h"
 
 struct options {
     const char *out;
@@ -24,13 +24,23 @@ static const struct vm_option rows[] = {
 
 static bool write_words(const char *path, const struct df_program *program, struct crt_error *err)
 {
-    FILE *out = fopen(path, "w");
-    if (!out)
-        return crt_fail(err, "%.300s cannot be written: %s", path, strerror(errno));
-    df_write_oct(out, program);
-    bool failed = ferror(out);
-    if (fclose(out) != 0 || failed)
-        return crt_fail(err, "%.300s cannot be written: %s", path, strerror(errno));
+    struct vm_out out;
+    struct crt_error ignored;
+    bool ok = vm_out_open(&out, path, err);
+    if (ok)
+        df_write_oct(out.file, program);
+    return vm_out_close(&out, ok, ok ? err : &ignored) && ok;
+}
+
+/* Words and recordings are not source: one sentence instead of an error for each of their lines. */
+static bool is_source(const char *path, struct crt_error *err)
+{
+    static const char *const others[] = {".oct", ".lda", ".beam"};
+    const char *dot = strrchr(path, '.');
+    for (size_t i = 0; dot && i < sizeof others / sizeof *others; i++)
+        if (strcasecmp(dot, others[i]) == 0)
+            return crt_fail(err, "%.300s is no source; kinescope disasm makes source of words",
+                            path);
     return true;
 }
 
@@ -62,7 +72,12 @@ static int run(int argc, char **argv)
     const struct vm_option_table tables[] = {VM_OPTION_TABLE(rows, &o)};
     struct vm_args args;
     int status = vm_command_parse(&vm_command_asm, tables, 1, argc, argv, &args, 1, 1);
-    return status >= 0 ? status : assemble(&o, args.item[0]);
+    if (status >= 0)
+        return status;
+    struct crt_error err;
+    if (!is_source(args.item[0], &err) || !vm_out_spares(o.out, args.item[0], &err))
+        return vm_command_fail(&vm_command_asm, VM_EXIT_USAGE, &err);
+    return assemble(&o, args.item[0]);
 }
 
 const struct vm_command vm_command_asm = {
@@ -70,7 +85,7 @@ const struct vm_command vm_command_asm = {
     "FILE.df [-o OUT.oct] [--listing]",
     "Assemble display-file source into octal words",
     "All errors of a file are printed in one go, each with its place and what was expected.",
-    "  kinescope asm star.df -o star.oct\n"
-    "  kinescope asm star.df --listing",
+    "  kinescope asm roms/rose.df -o rose.oct\n"
+    "  kinescope asm roms/rose.df --listing",
     run,
 };

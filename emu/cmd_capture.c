@@ -2,22 +2,22 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "crt/png_file.h"
 #include "emu/capture_files.h"
 #include "emu/command.h"
 #include "emu/expose.h"
 #include "emu/moment.h"
+#include "emu/out_file.h"
 #include "emu/picture.h"
+#include "emu/progress.h"
 #include "emu/trouble.h"
 
 struct options {
-    const char *out, *y4m, *closeup;
+    const char *out, *y4m, *closeup, *depth;
     struct vm_time exposure, from, to;
     struct crt_rate fps;
     struct vm_size size;
-    long depth;
     bool film, glass, hash, allow_dark;
     struct vm_moment_options moment;
     struct vm_settings_options settings;
@@ -46,7 +46,7 @@ static const struct vm_option rows[] = {
      "look at WIDTH_MM of screen around X,Y (head units) through a microscope; implies --film", 0,
      0},
     {"size", 0, VM_OPT_SIZE, ROW(size), "WxH", "pixels, for --glass and --closeup", 0, 0},
-    {"depth", 0, VM_OPT_INTEGER, ROW(depth), "8|16", "bits a sample; default 8", 8, 16},
+    {"depth", 0, VM_OPT_CHOICE, ROW(depth), "8|16", "bits a sample; default 8", 0, 0},
     {"hash", 0, VM_OPT_FLAG, ROW(hash), "",
      "print SHA-256 over width, height, depth and samples of the film picture, a line per moment",
      0, 0},
@@ -63,6 +63,7 @@ struct capture {
     struct vm_shots shots;
     struct vm_studio studio, film_studio; /* the latter for --hash */
     struct vm_y4m y4m;
+    struct vm_progress progress;
     bool sequence, strip;
 };
 
@@ -79,8 +80,6 @@ static bool check_options(struct capture *c, struct crt_error *err)
     struct options *o = &c->o;
     c->strip = o->y4m != NULL;
     c->sequence = o->from.given || o->to.given || o->fps.num || c->strip;
-    if (o->depth != 8 && o->depth != 16)
-        return crt_fail(err, "--depth: %ld is not possible; give 8 or 16", o->depth);
     if (o->film && o->glass)
         return crt_fail(err, "--film and --glass exclude each other");
     if (o->closeup && o->glass)
@@ -94,7 +93,7 @@ static bool check_options(struct capture *c, struct crt_error *err)
         return crt_fail(err, "a sequence needs --from T and --to T");
     if (c->sequence && (o->moment.at.given || o->moment.when))
         return crt_fail(err, "--from and --to exclude --at and --when");
-    if (c->strip && o->depth != 8)
+    if (c->strip && strcmp(o->depth, "8") != 0)
         return crt_fail(err, "--y4m is a film strip of 8 bits a sample; leave out --depth 16");
     if (c->sequence && o->out && !vm_frame_name_ok(o->out))
         return crt_fail(
@@ -167,8 +166,13 @@ static int plan_exposure(struct capture *c, struct crt_error *err)
             crt_fail(err, "--exposure: no light is gathered in no time; give a time above zero");
             return VM_EXIT_USAGE;
         }
-        if (c->shots.exposure > 3600 * CRT_PS_PER_S) {
-            crt_fail(err, "--exposure is longer than one hour");
+        if (!c->sequence && c->shots.exposure > c->shots.from) {
+            char moment[32];
+            vm_format_time(c->shots.from, moment, sizeof moment);
+            crt_fail(err,
+                     "--exposure would begin before power-on, as the moment is %s; shorten it or "
+                     "choose a later moment with --at",
+                     moment);
             return VM_EXIT_USAGE;
         }
     }
@@ -192,13 +196,18 @@ static int plan(struct capture *c, struct crt_error *err)
     if (!vm_rig_open(&rig, &c->settings, &c->input, DF_TIMING_VALUE, NULL, err))
         return VM_EXIT_TROUBLE;
     if (c->sequence) {
-        vm_machine_run(rig.machine,
-                       c->shots.from + crt_tick_time(c->shots.fps, c->shots.count - 1));
+        vm_progress_begin(&c->progress);
+        vm_progress_run(&c->progress, rig.machine,
+                        c->shots.from + crt_tick_time(c->shots.fps, c->shots.count - 1));
+        vm_progress_end(&c->progress);
     } else {
         c->shots.count = 1;
         status = vm_moment_find(&rig, &c->o.moment, &c->settings, &c->input, &c->shots.from, err);
     }
     bool ran = status == VM_EXIT_OK || status == VM_EXIT_TIMEOUT;
+    /* A program that has not lit the beam yet may still do so, after its first sync tick. */
+    if (ran && rig.machine->strokes == 0)
+        vm_machine_run(rig.machine, VM_SETTLED_PS);
     if (ran && vm_find_trouble(rig.machine, &c->input, &trouble)) {
         if (!c->o.allow_dark || status == VM_EXIT_TIMEOUT) {
             *err = trouble;
@@ -246,14 +255,6 @@ static bool write_picture(struct capture *c, const struct crt_film *film, uint64
     return ok;
 }
 
-static void show_progress(const struct capture *c, uint64_t number)
-{
-    if (!c->sequence || !isatty(STDERR_FILENO))
-        return;
-    fprintf(stderr, "\rpicture %llu of %llu%s", (unsigned long long)number + 1,
-            (unsigned long long)c->shots.count, number + 1 == c->shots.count ? "\n" : "");
-}
-
 static bool take(void *ctx, const struct crt_film *film, uint64_t number, struct crt_error *err)
 {
     struct capture *c = ctx;
@@ -262,15 +263,16 @@ static bool take(void *ctx, const struct crt_film *film, uint64_t number, struct
         vm_format_time(film->t1, text, sizeof text);
         return crt_fail(
             err,
-            "the picture of %s at %s would be black: its light has faded, or is outside "
-            "the picture; choose another moment or --allow-dark",
+            "the picture of %s at %s would be black: its light is not there yet, has faded or "
+            "is outside the picture; choose another moment or --allow-dark",
             c->input.name, text);
     }
     if (c->o.hash && !print_hash(c, film, err))
         return false;
     if ((c->o.out || c->strip) && !write_picture(c, film, number, err))
         return false;
-    show_progress(c, number);
+    if (c->sequence)
+        vm_progress_pictures(&c->progress, number + 1, c->shots.count);
     return true;
 }
 
@@ -279,7 +281,8 @@ static bool expose(struct capture *c, struct crt_error *err)
     struct vm_rig rig;
     if (!vm_rig_open(&rig, &c->settings, &c->input, DF_TIMING_VALUE, &c->tube, err))
         return false;
-    bool ok = vm_expose(&rig, &c->shots, take, c, err) && crt_tube_intact(rig.tube, err);
+    bool ok =
+        vm_expose(&rig, &c->shots, &c->progress, take, c, err) && crt_tube_intact(rig.tube, err);
     vm_rig_close(&rig);
     return ok;
 }
@@ -291,7 +294,7 @@ static int open_studios(struct capture *c, struct crt_error *err)
     c->studio = (struct vm_studio){.film = film,
                                    .width = size.width,
                                    .height = size.height,
-                                   .depth = (int)c->o.depth,
+                                   .depth = strcmp(c->o.depth, "16") == 0 ? 16 : 8,
                                    .threads = c->settings.threads,
                                    .phosphor = &c->settings.phosphor};
     int status = vm_light_settings(&c->o.light, &c->settings, &c->studio.light, err);
@@ -315,9 +318,11 @@ static int capture(struct capture *c)
     if (status == VM_EXIT_OK)
         status = plan(c, &err);
     if (status == VM_EXIT_OK) {
+        vm_progress_begin(&c->progress);
         bool ok = vm_studio_open(&c->studio, &err) && expose(c, &err);
+        vm_progress_end(&c->progress);
         struct crt_error closing;
-        if (!vm_y4m_close(&c->y4m, ok ? &err : &closing))
+        if (!vm_y4m_close(&c->y4m, ok, ok ? &err : &closing))
             ok = false;
         vm_studio_close(&c->studio);
         status = ok ? VM_EXIT_OK : VM_EXIT_TROUBLE;
@@ -328,7 +333,7 @@ static int capture(struct capture *c)
 
 static int run(int argc, char **argv)
 {
-    struct capture c = {.o = {.depth = 8, .light = {.room = -1}}};
+    struct capture c = {.o = {.depth = "8", .light = {.room = -1}}};
     const struct vm_option_table tables[] = {VM_OPTION_TABLE(rows, &c.o),
                                              VM_OPTION_TABLE(vm_moment_rows, &c.o.moment),
                                              VM_OPTION_TABLE(vm_light_rows, &c.o.light),
@@ -341,7 +346,8 @@ static int run(int argc, char **argv)
                                   argv, &args, 1, 1);
     if (status >= 0)
         return status;
-    if (!check_options(&c, &err))
+    if (!check_options(&c, &err) || !vm_out_spares(c.o.out, args.item[0], &err) ||
+        !vm_out_spares(c.o.y4m, args.item[0], &err))
         return fail(VM_EXIT_USAGE, &err);
     if (!vm_input_load(&c.input, args.item[0], &c.o.input, &err, &report)) {
         if (report)
@@ -360,12 +366,13 @@ const struct vm_command vm_command_capture = {
     "Render pictures without a display",
     "A program in trouble (an illegal word, a bus time-out, a beam never lit) or a black picture "
     "is "
-    "reported\nin one sentence with exit status 1, and nothing is written unless --allow-dark is "
+    "reported in one sentence with exit status 1, and nothing is written unless --allow-dark is "
     "given.",
-    "  kinescope capture star.df -o star.png\n"
-    "  kinescope capture star.df --film --depth 16 --hash\n"
-    "  kinescope capture sweep.df --tube RADAR7 --at 2.5s -o sweep.png\n"
-    "  kinescope capture spin.df --from 0s --to 2s --fps 60 --y4m - | ffmpeg -i - spin.mp4\n"
-    "  kinescope capture star.df --closeup 512,512,8 -o spot.png",
+    "  kinescope capture roms/lander.df -o lander.png\n"
+    "  kinescope capture roms/lander.df --film --depth 16 --hash\n"
+    "  kinescope capture roms/radar.df --at 2.5s -o sweep.png\n"
+    "  kinescope capture roms/spin.df --from 0s --to 2s --fps 60 --y4m spin.y4m\n"
+    "  kinescope capture roms/spin.df --from 0s --to 2s --fps 60 --y4m - | ffmpeg -i - spin.mp4\n"
+    "  kinescope capture roms/rose.df --closeup 512,690,8 -o spot.png",
     run,
 };

@@ -4,6 +4,7 @@
 
 #include "crt/png_file.h"
 #include "emu/command.h"
+#include "emu/out_file.h"
 
 enum { SAME = 0, DIFFER = 1, TROUBLE = 2 };
 
@@ -67,9 +68,12 @@ static bool write_difference(const char *path, const struct crt_image *a, const 
     struct crt_image out;
     if (!crt_image_difference_picture(a, b, tolerance, &out, err))
         return false;
-    bool ok = crt_png_write(path, &out, NULL, 0, err);
+    struct vm_out file;
+    struct crt_error closing;
+    bool ok = vm_out_open(&file, path, err) &&
+              crt_png_write_stream(file.file, file.path, &out, NULL, 0, err);
     crt_image_free(&out);
-    return ok;
+    return vm_out_close(&file, ok, ok ? err : &closing) && ok;
 }
 
 static int compare(const struct options *o, const struct crt_image *a, const struct crt_image *b)
@@ -81,6 +85,10 @@ static int compare(const struct options *o, const struct crt_image *a, const str
         print_json(&d, same);
     else
         print_text(a, b, &d, same);
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        crt_fail(&err, "standard output cannot be written");
+        return vm_command_fail(&vm_command_compare, TROUBLE, &err);
+    }
     if (o->diff && !d.same_shape)
         fprintf(stderr,
                 "kinescope compare: pictures of different shape have no difference picture\n");
@@ -99,6 +107,8 @@ static int run(int argc, char **argv)
     int status = vm_command_parse(&vm_command_compare, tables, 1, argc, argv, &args, 2, 2);
     if (status >= 0)
         return status;
+    if (!vm_out_spares(o.diff, args.item[0], &err) || !vm_out_spares(o.diff, args.item[1], &err))
+        return vm_command_fail(&vm_command_compare, TROUBLE, &err);
     if (!crt_png_read(args.item[0], &a, &err))
         return vm_command_fail(&vm_command_compare, TROUBLE, &err);
     if (!crt_png_read(args.item[1], &b, &err)) {

@@ -1,12 +1,11 @@
 /* disasm — words back to display-file source. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "display_file/disasm.h"
 #include "emu/command.h"
 #include "emu/input_file.h"
+#include "emu/out_file.h"
 
 struct options {
     const char *out;
@@ -20,11 +19,12 @@ static const struct vm_option rows[] = {
 
 static bool write_text(const char *path, const char *text, struct crt_error *err)
 {
-    FILE *out = fopen(path, "w");
-    bool ok = out && fputs(text, out) != EOF;
-    if (out && fclose(out) != 0)
-        ok = false;
-    return ok || crt_fail(err, "%.300s cannot be written: %s", path, strerror(errno));
+    struct vm_out out;
+    struct crt_error ignored;
+    bool ok = vm_out_open(&out, path, err);
+    if (ok)
+        fputs(text, out.file);
+    return vm_out_close(&out, ok, ok ? err : &ignored) && ok;
 }
 
 static int disassemble(const struct options *o, const struct vm_input *input)
@@ -56,6 +56,8 @@ static int run(int argc, char **argv)
     int status = vm_command_parse(&vm_command_disasm, tables, 2, argc, argv, &args, 1, 1);
     if (status >= 0)
         return status;
+    if (!vm_out_spares(o.out, args.item[0], &err))
+        return vm_command_fail(&vm_command_disasm, VM_EXIT_USAGE, &err);
     if (!vm_input_load(&input, args.item[0], &o.input, &err, &report)) {
         free(report);
         return vm_command_fail(&vm_command_disasm, VM_EXIT_TROUBLE, &err);
@@ -70,7 +72,7 @@ const struct vm_command vm_command_disasm = {
     "FILE.oct [-o OUT.df]",
     "Turn words back into source that assembles to the same words",
     "FILE may also be a DEC absolute tape (.lda) or, with --base, a raw memory image.",
-    "  kinescope disasm star.oct -o star.df\n"
+    "  kinescope disasm rose.oct -o again.df\n"
     "  kinescope disasm dump.bin --base 1000 --start 1000",
     run,
 };

@@ -1,6 +1,7 @@
 /* list — what there is to choose from: tubes, phosphors, programs; and why. */
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "crt/catalogue_text.h"
 #include "emu/command.h"
@@ -25,15 +26,29 @@ static int fail(int status, const struct crt_error *err)
     return vm_command_fail(&vm_command_list, status, err);
 }
 
+/* The name of a folder below the current one without what they share. */
+static const char *from_here(const char *folder)
+{
+    char here[4096];
+    size_t n = getcwd(here, sizeof here) ? strlen(here) : 0;
+    if (n == 0 || strncmp(folder, here, n) != 0)
+        return folder;
+    return folder[n] == '/' ? folder + n + 1 : folder[n] == '\0' ? "" : folder;
+}
+
 static int list_roms(const struct options *o)
 {
     struct vm_roms roms;
     struct crt_error err;
     if (!vm_roms_find(&roms, o->roms, &err))
         return fail(VM_EXIT_TROUBLE, &err);
+    const char *folder = from_here(roms.folder);
+    int width = 0;
     for (int i = 0; i < roms.count; i++)
-        printf("%s/%-20s %-10s %s\n", roms.folder, roms.rom[i].file, roms.rom[i].tube,
-               roms.rom[i].caption);
+        width = (int)strlen(roms.rom[i].file) > width ? (int)strlen(roms.rom[i].file) : width;
+    for (int i = 0; i < roms.count; i++)
+        printf("%s%s%-*s  %-8s  %s\n", folder, *folder ? "/" : "", width, roms.rom[i].file,
+               roms.rom[i].tube, roms.rom[i].caption);
     return VM_EXIT_OK;
 }
 

@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include "emu/command.h"
+#include "emu/progress.h"
 #include "emu/show.h"
 #include "emu/trouble.h"
 
@@ -51,13 +52,16 @@ static int headless(const struct options *o, const struct vm_settings *settings,
                     const struct vm_input *input, struct crt_error *err)
 {
     struct vm_rig rig;
+    struct vm_progress progress;
     uint64_t length = HEADLESS_PS;
     if (o->length.given && !vm_time_ps(&o->length, settings->tick, &length, err))
         return VM_EXIT_USAGE;
     if (!vm_rig_open(&rig, settings, input, DF_TIMING_VALUE, NULL, err))
         return VM_EXIT_TROUBLE;
     double begin = seconds();
-    vm_machine_run(rig.machine, length);
+    vm_progress_begin(&progress);
+    vm_progress_run(&progress, rig.machine, length);
+    vm_progress_end(&progress);
     double took = seconds() - begin, simulated = (double)length / (double)CRT_PS_PER_S;
     const struct vm_machine *m = rig.machine;
     fprintf(
@@ -145,9 +149,9 @@ const struct vm_command vm_command_run = {
     "Show a program in a window; without FILE a tour",
     "F1 in the window shows the keys. Every key except F1 to F12 and those held with Right Ctrl "
     "belongs "
-    "to the\nprogram. A file that changes is loaded again; a file dropped on the window is shown.",
+    "to the program. A file that changes is loaded again; a file dropped on the window is shown.",
     "  kinescope run\n"
-    "  kinescope run star.df --tube VR14 --time-scale 0.001\n"
-    "  kinescope run star.df --headless --for 60s",
+    "  kinescope run roms/lander.df --tube VR14 --time-scale 0.001\n"
+    "  kinescope run roms/spin.df --headless --for 60s",
     run,
 };

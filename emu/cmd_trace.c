@@ -1,5 +1,4 @@
 /* trace — one text line per event: words executed, or pieces of lit beam. */
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -8,6 +7,8 @@
 #include "display_file/df_regs.h"
 #include "emu/command.h"
 #include "emu/moment.h"
+#include "emu/out_file.h"
+#include "emu/progress.h"
 #include "emu/summary.h"
 #include "emu/trouble.h"
 
@@ -41,6 +42,7 @@ struct trace {
     struct options o;
     struct vm_input input;
     struct vm_settings settings;
+    struct vm_out file;
     FILE *out;
 };
 
@@ -126,7 +128,10 @@ static int print_events(struct trace *t, struct crt_error *err)
         return VM_EXIT_TROUBLE;
     if (beam)
         print_header(t, end);
-    vm_machine_trace(rig.machine, end, &hooks);
+    struct vm_progress progress;
+    vm_progress_begin(&progress);
+    vm_progress_trace(&progress, rig.machine, end, &hooks);
+    vm_progress_end(&progress);
     enum vm_trouble found = vm_find_trouble(rig.machine, &t->input, &trouble);
     vm_rig_close(&rig);
     /* A trace of words in the dark is a good trace. */
@@ -139,23 +144,21 @@ static int print_events(struct trace *t, struct crt_error *err)
 static int trace(struct trace *t)
 {
     struct crt_error err;
-    bool named = t->o.out && strcmp(t->o.out, "-") != 0;
+    struct crt_error closing;
     int status =
         vm_settings_resolve(&t->o.settings, t->input.is_recording ? &t->input.header : NULL,
                             vm_input_tube(&t->input), &t->settings, &err);
-    t->out = named && !status ? fopen(t->o.out, "w") : stdout;
-    if (!t->out) {
-        crt_fail(&err, "%.300s cannot be written: %s", t->o.out, strerror(errno));
+    if (!status && !vm_out_open(&t->file, t->o.out ? t->o.out : "-", &err))
         status = VM_EXIT_TROUBLE;
-    }
+    t->out = t->file.file;
     if (!status)
         status = t->o.summary
                      ? vm_print_summary(t->out, &t->o.length, &t->settings, &t->input, &err)
                      : print_events(t, &err);
-    if (named && t->out && t->out != stdout && fclose(t->out) != 0 && !status) {
-        crt_fail(&err, "%.300s cannot be written: %s", t->o.out, strerror(errno));
+    /* The trace of a program that hangs is kept: it shows how it came there. */
+    bool keep = status == VM_EXIT_OK || status == VM_EXIT_TROUBLE;
+    if (!vm_out_close(&t->file, keep, status ? &closing : &err) && !status)
         status = VM_EXIT_TROUBLE;
-    }
     vm_settings_free(&t->settings);
     return status ? fail(status, &err) : status;
 }
@@ -172,6 +175,8 @@ static int run(int argc, char **argv)
     int status = vm_command_parse(&vm_command_trace, tables, 3, argc, argv, &args, 1, 1);
     if (status >= 0)
         return status;
+    if (!vm_out_spares(t.o.out, args.item[0], &err))
+        return fail(VM_EXIT_USAGE, &err);
     if (!vm_input_load(&t.input, args.item[0], &t.o.input, &err, &report)) {
         if (report)
             fputs(report, stderr);
@@ -195,11 +200,11 @@ const struct vm_command vm_command_trace = {
     "Print what the machine does, one line per event",
     "dpu <time_ps> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo: a word, fetched at "
     "that time "
-    "from\nDPC, and the registers as read after it. --what beam is the .beam format: capture reads "
+    "from DPC, and the registers as read after it. --what beam is the .beam format: capture reads "
     "it back "
     "to the same film.",
-    "  kinescope trace star.df | head\n"
-    "  kinescope trace star.df --summary\n"
-    "  kinescope trace star.df --what beam -o star.beam",
+    "  kinescope trace roms/rose.df | head\n"
+    "  kinescope trace roms/growing.df --summary --for 10s\n"
+    "  kinescope trace roms/rose.df --what beam -o rose.beam",
     run,
 };

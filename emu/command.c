@@ -9,9 +9,9 @@ int vm_command_fail(const struct vm_command *command, int status, const struct c
 static void print_help(const struct vm_command *c, const struct vm_option_table *tables,
                        size_t table_count)
 {
-    printf("kinescope %s %s\n\n%s\n", c->name, c->arguments, c->summary);
+    printf("kinescope %s %s\n\n%s.\n", c->name, c->arguments, c->summary);
     if (*c->details)
-        printf("%s\n", c->details);
+        vm_print_wrapped(stdout, c->details, 0);
     printf("\nOptions:\n");
     vm_options_help(stdout, tables, table_count);
     printf("\nExamples:\n%s\n", c->examples);

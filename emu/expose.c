@@ -20,11 +20,11 @@ uint64_t vm_shots_overlap(const struct vm_shots *s)
 }
 
 /* Opens film n, or clears it when its instant is power-on and there is nothing to gather. */
-static void open_film(struct vm_rig *rig, const struct vm_shots *s, uint64_t n,
-                      struct crt_film *film)
+static void open_film(struct vm_rig *rig, const struct vm_shots *s, struct vm_progress *progress,
+                      uint64_t n, struct crt_film *film)
 {
     uint64_t t0 = opening(s, n), t1 = instant(s, n);
-    vm_machine_run(rig->machine, t0);
+    vm_progress_run(progress, rig->machine, t0);
     if (t1 > t0) {
         crt_film_open(rig->tube, film, t0, t1);
         return;
@@ -37,17 +37,18 @@ static void open_film(struct vm_rig *rig, const struct vm_shots *s, uint64_t n,
     film->complete = true;
 }
 
-static bool expose_all(struct vm_rig *rig, const struct vm_shots *s, struct crt_film *ring,
-                       uint64_t room, vm_film_sink sink, void *ctx, struct crt_error *err)
+static bool expose_all(struct vm_rig *rig, const struct vm_shots *s, struct vm_progress *progress,
+                       struct crt_film *ring, uint64_t room, vm_film_sink sink, void *ctx,
+                       struct crt_error *err)
 {
     uint64_t opened = 0;
     for (uint64_t n = 0; n < s->count; n++) {
         uint64_t t = instant(s, n);
         while (opened < s->count && (opened <= n || opening(s, opened) < t)) {
-            open_film(rig, s, opened, &ring[opened % room]);
+            open_film(rig, s, progress, opened, &ring[opened % room]);
             opened++;
         }
-        vm_machine_run(rig->machine, t);
+        vm_progress_run(progress, rig->machine, t);
         if (!sink(ctx, &ring[n % room], n, err)) {
             for (uint64_t k = n + 1; k < opened; k++)
                 if (!ring[k % room].complete)
@@ -58,8 +59,8 @@ static bool expose_all(struct vm_rig *rig, const struct vm_shots *s, struct crt_
     return true;
 }
 
-bool vm_expose(struct vm_rig *rig, const struct vm_shots *shots, vm_film_sink sink, void *ctx,
-               struct crt_error *err)
+bool vm_expose(struct vm_rig *rig, const struct vm_shots *shots, struct vm_progress *progress,
+               vm_film_sink sink, void *ctx, struct crt_error *err)
 {
     struct crt_film ring[VM_OVERLAP_MAX];
     uint64_t room = vm_shots_overlap(shots), ready = 0;
@@ -70,7 +71,7 @@ bool vm_expose(struct vm_rig *rig, const struct vm_shots *shots, vm_film_sink si
     while (ready < room && (ok = crt_film_init(&ring[ready], rig->tube, err)))
         ready++;
     if (ok)
-        ok = expose_all(rig, shots, ring, room, sink, ctx, err);
+        ok = expose_all(rig, shots, progress, ring, room, sink, ctx, err);
     while (ready > 0)
         crt_film_free(&ring[--ready]);
     return ok;

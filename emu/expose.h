@@ -11,6 +11,7 @@
 #ifndef EMU_EXPOSE_H
 #define EMU_EXPOSE_H
 
+#include "emu/progress.h"
 #include "emu/rig.h"
 
 #define VM_OVERLAP_MAX 64
@@ -27,7 +28,8 @@ typedef bool (*vm_film_sink)(void *ctx, const struct crt_film *film, uint64_t nu
 
 /* How many films are open at once; above VM_OVERLAP_MAX vm_expose refuses. */
 uint64_t vm_shots_overlap(const struct vm_shots *shots);
-bool vm_expose(struct vm_rig *rig, const struct vm_shots *shots, vm_film_sink sink, void *ctx,
-               struct crt_error *err);
+/* `progress` may be NULL. */
+bool vm_expose(struct vm_rig *rig, const struct vm_shots *shots, struct vm_progress *progress,
+               vm_film_sink sink, void *ctx, struct crt_error *err);
 
 #endif

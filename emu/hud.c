@@ -8,6 +8,8 @@
 
 #define TEXT_MAX      600
 #define LINES_MAX     16
+#define MARGIN_DOTS   4 /* between a panel and the edge of the window */
+#define PAD_DOTS      5 /* between a panel's edge and its text */
 #define FADE_S        0.6
 #define FADE_LEVELS   16 /* steps in which a message fades: each is a redraw */
 #define HELP_MAX      48
@@ -125,10 +127,16 @@ static int smaller(int a, int b)
 }
 
 /* Pixels a dot: 1 below 740 pixels, 2 up to 1279, 4 on a 2160-line monitor. */
-static int dot_size(const struct vm_canvas *canvas)
+static int dot_size(int width, int height)
 {
-    int dot = (smaller(canvas->width, canvas->height) + 340) / 540;
+    int dot = (smaller(width, height) + 340) / 540;
     return dot > 1 ? dot : 1;
+}
+
+int vm_hud_columns(int width, int height)
+{
+    int dot = dot_size(width, height);
+    return (width - 2 * (MARGIN_DOTS + PAD_DOTS) * dot) / (VM_LETTER_DOTS * dot);
 }
 
 static struct vm_colour faded(struct vm_colour colour, int level)
@@ -166,8 +174,9 @@ static void draw_line(struct vm_hud *hud, int x, int y, int dot, struct vm_colou
 /* A panel of wrapped text whose bottom lies at `bottom`; returns its top. */
 static int draw_text_panel(struct vm_hud *hud, int which, const char *text, int bottom, int level)
 {
-    int dot = dot_size(&hud->canvas), margin = 4 * dot, pad = 5 * dot;
-    int letter = VM_LETTER_DOTS * dot, columns = (hud->canvas.width - 2 * (margin + pad)) / letter;
+    int dot = dot_size(hud->canvas.width, hud->canvas.height);
+    int margin = MARGIN_DOTS * dot, pad = PAD_DOTS * dot, letter = VM_LETTER_DOTS * dot;
+    int columns = vm_hud_columns(hud->canvas.width, hud->canvas.height);
     int room = (bottom - margin - 2 * pad) / (VM_LINE_DOTS * dot);
     struct vm_line lines[LINES_MAX];
     if (columns < 4 || room < 1)
@@ -236,7 +245,7 @@ static void lay_out_help(const struct vm_hud *hud, size_t most, struct help_layo
 /* The largest dots, not above the usual ones, with which the help fits. */
 static int fit_help(const struct vm_hud *hud, struct help_layout *layout)
 {
-    int dot = dot_size(&hud->canvas);
+    int dot = dot_size(hud->canvas.width, hud->canvas.height);
     for (;; dot--) {
         int most = (hud->canvas.width - 2 * HELP_PAD * dot) / (VM_LETTER_DOTS * dot);
         lay_out_help(hud, (size_t)(most < 1 ? 1 : smaller(most, HELP_COLUMNS)), layout);

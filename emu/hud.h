@@ -29,6 +29,9 @@ void vm_hud_destroy(struct vm_hud *hud);
 /* The status line; "" or NULL hides it. */
 void vm_hud_status(struct vm_hud *hud, const char *text);
 
+/* Letters that fit into one line of a window of width × height. */
+int vm_hud_columns(int width, int height);
+
 /* A message above the status line from `now` for `seconds`, the last of them fading; it replaces
  * the one before. */
 void vm_hud_message(struct vm_hud *hud, const char *text, double now, double seconds);

@@ -129,6 +129,8 @@ bool vm_machine_load(struct vm_machine *m, const struct df_program *program, con
     memcpy(m->memory, program->words, sizeof m->memory);
     m->entry = program->entry & ~1u;
     m->has_program = true;
+    m->loaded = m->now;
+    m->strokes_before = m->strokes;
     m->flow = vm_flow_of(m->memory, m->desc.memory_bytes, m->entry);
     start(m, m->now);
     return true;

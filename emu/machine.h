@@ -77,6 +77,7 @@ struct vm_machine {
     struct vm_flow flow;
     struct vm_recording recording;
     size_t played; /* strokes of the recording delivered */
+    uint64_t loaded, strokes_before; /* when the program was, and the strokes until then */
     struct vm_hooks hooks;
 
     uint64_t now;                      /* everything before this has happened */

@@ -36,23 +36,25 @@ static int help(void)
            "A display processor draws with a simulated electron beam; a phosphor glows and "
            "decays.\n\n");
     for (size_t i = 0; i < COMMANDS; i++)
-        printf("  kinescope %-8s %-32s %s\n", commands[i]->name, commands[i]->arguments,
+        printf("  kinescope %-8s %-36s %s\n", commands[i]->name, commands[i]->arguments,
                commands[i]->summary);
     printf(
         "\nkinescope SUBCOMMAND --help lists the options of each, with examples. To begin:\n\n"
         "  kinescope run                                a tour, in a window\n"
-        "  kinescope capture picture.df -o picture.png  the same light, without a display\n\n"
+        "  kinescope capture roms/rose.df -o rose.png   a picture, without a display\n\n"
         "Exit status: 0 done, 1 trouble with a file, the host or the program, 2 wrong usage, 3 too "
         "late\n(compare: 0 same, 1 differ, 2 trouble).\n");
     return VM_EXIT_OK;
 }
 
-/* What was printed may be on a full disk or a closed pipe. */
+/* What was printed may be on a full disk or a closed pipe; a command that failed has said why. */
 static int finish(int status)
 {
     if (fflush(stdout) != 0 || ferror(stdout)) {
+        if (status != VM_EXIT_OK)
+            return status;
         fprintf(stderr, "kinescope: standard output cannot be written\n");
-        return status == VM_EXIT_OK ? VM_EXIT_TROUBLE : status;
+        return VM_EXIT_TROUBLE;
     }
     return status;
 }

@@ -2,12 +2,10 @@
 
 #include <string.h>
 
-#include "emu/trouble.h"
+#include "emu/progress.h"
 
 #define ROW(field) offsetof(struct vm_moment_options, field)
 
-#define SETTLED_PS                                                                                 \
-    (CRT_PS_PER_S / 2) /* the default picture is of a refresh that begins here or later */
 #define PATIENCE_PS (10 * CRT_PS_PER_S) /* how long the default picture waits for one */
 #define TIMEOUT_PS  (60 * CRT_PS_PER_S)
 
@@ -71,9 +69,9 @@ static int find_refresh(struct vm_machine *m, const struct vm_time *timeout, uin
                         uint64_t *moment, struct crt_error *err)
 {
     char text[32];
-    *moment = SETTLED_PS;
+    *moment = VM_SETTLED_PS;
     while (vm_machine_run_refresh(m, limit))
-        if (m->refresh.begin >= SETTLED_PS) {
+        if (m->refresh.begin >= VM_SETTLED_PS) {
             *moment = m->refresh.end;
             return 0;
         }
@@ -117,13 +115,16 @@ int vm_moment_find(struct vm_rig *rig, const struct vm_moment_options *o,
     } else if (o->when) {
         status = find_event(m, o->when, timeout, moment, err);
     } else {
-        status = find_refresh(m, &o->timeout, o->timeout.given ? timeout : SETTLED_PS + PATIENCE_PS,
-                              moment, err);
+        status = find_refresh(
+            m, &o->timeout, o->timeout.given ? timeout : VM_SETTLED_PS + PATIENCE_PS, moment, err);
     }
     if (status == 0 && *moment == 0) {
         crt_fail(err, "at power-on no light has been gathered yet; give a time above zero");
         return 2;
     }
-    vm_machine_run(m, *moment);
+    struct vm_progress progress;
+    vm_progress_begin(&progress);
+    vm_progress_run(&progress, m, *moment);
+    vm_progress_end(&progress);
     return status;
 }

@@ -19,6 +19,9 @@ struct vm_moment_options {
     const char *when;
 };
 
+/* By then the first refreshes have passed and phosphors have settled. */
+#define VM_SETTLED_PS (CRT_PS_PER_S / 2)
+
 #define VM_MOMENT_ROWS 3
 extern const struct vm_option vm_moment_rows[VM_MOMENT_ROWS];
 

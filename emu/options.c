@@ -199,8 +199,7 @@ enum vm_parsed vm_options_parse(const struct vm_option_table *tables, size_t tab
     return VM_PARSED;
 }
 
-/* Prints `text` with its lines indented and broken at column 100. */
-static void wrapped(FILE *out, const char *text, int indent)
+void vm_print_wrapped(FILE *out, const char *text, int indent)
 {
     int column = indent;
     while (*text) {
@@ -233,7 +232,7 @@ void vm_options_help(FILE *out, const struct vm_option_table *tables, size_t tab
             fprintf(out, "  %-26s ", head);
             if (strlen(head) > 26)
                 fprintf(out, "\n%29s", "");
-            wrapped(out, o->help, 29);
+            vm_print_wrapped(out, o->help, 29);
         }
     fprintf(out, "  %-26s %s\n", "-h, --help", "this text");
 }

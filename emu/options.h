@@ -80,6 +80,9 @@ enum vm_parsed vm_options_parse(const struct vm_option_table *tables, size_t tab
 
 void vm_options_help(FILE *out, const struct vm_option_table *tables, size_t table_count);
 
+/* Prints `text` and a newline, with lines indented and broken at column 100. */
+void vm_print_wrapped(FILE *out, const char *text, int indent);
+
 /* The one of `count` words nearest to `word`, or NULL when none is near enough to be meant. */
 const char *vm_nearest(const char *word, const char *const *words, size_t count);
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "crt/png_file.h"
+#include "emu/out_file.h"
 
 #define ROW(field) offsetof(struct vm_light_options, field)
 
@@ -112,5 +113,10 @@ bool vm_picture_write(const char *path, const struct crt_image *image, const cha
                                          {"Phosphor", settings->phosphor.name},
                                          {"Simulated time", time},
                                          {"Exposure", exposure}};
-    return crt_png_write(path, image, texts, sizeof texts / sizeof *texts, err);
+    struct vm_out out;
+    struct crt_error closing;
+    bool ok =
+        vm_out_open(&out, path, err) &&
+        crt_png_write_stream(out.file, out.path, image, texts, sizeof texts / sizeof *texts, err);
+    return vm_out_close(&out, ok, ok ? err : &closing) && ok;
 }

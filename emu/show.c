@@ -125,7 +125,8 @@ static void look_after_program(struct vm_show *show, double now)
     if (show->touring && !show->paused && now - show->rom_since >= ROM_S &&
         !vm_show_tour(show, 1, &err))
         vm_show_say(show, err.text);
-    if (!show->trouble_shown && show->program->rig.machine->now >= CRT_PS_PER_S / 2) {
+    if (!show->trouble_shown &&
+        show->program->rig.machine->now >= show->program->rig.machine->loaded + CRT_PS_PER_S / 2) {
         show->trouble_shown = true;
         if (vm_find_trouble(show->program->rig.machine, &show->program->input, &err))
             vm_hud_message(show->hud, err.text, now, 10);

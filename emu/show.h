@@ -55,7 +55,7 @@ struct vm_show {
     /* The program (show_program.c). */
     struct vm_shown *program;
     char path[4096];
-    long long changed_s, changed_ns; /* when the file was last written */
+    uint64_t stamp; /* of the files shown, when they were read */
     bool film_ready;
 
     /* The tour. */
@@ -92,6 +92,16 @@ bool vm_show_tour(struct vm_show *show, int step, struct crt_error *err);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
 void vm_show_status(struct vm_show *show, double now);
+
+/* What the status line says. */
+struct vm_status {
+    const char *name, *tube, *phosphor, *time, *scale, *state;
+    double rate_hz; /* 0: not known */
+    uint64_t words; /* a refresh */
+};
+
+/* The line, with parts left out until it has at most `columns` letters; false: it still has more. */
+bool vm_status_text(const struct vm_status *status, int columns, char *text, size_t size);
 void vm_show_say(struct vm_show *show, const char *text);
 
 #endif

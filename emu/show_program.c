@@ -22,13 +22,35 @@ static void tint_text(struct vm_show *show)
     vm_hud_tint(show->hud, encode(rgb[0]), encode(rgb[1]), encode(rgb[2]));
 }
 
-static void note_time(struct vm_show *show)
+/* Changes when a file is written; 0 when it is not there. */
+static uint64_t stamp_of(const char *path)
 {
     struct stat status;
-    if (stat(show->path, &status) == 0) {
-        show->changed_s = (long long)status.st_mtim.tv_sec;
-        show->changed_ns = (long long)status.st_mtim.tv_nsec;
+    if (stat(path, &status) != 0)
+        return 0;
+    return (uint64_t)status.st_mtim.tv_sec * 1000000007u + (uint64_t)status.st_mtim.tv_nsec +
+           (uint64_t)status.st_size;
+}
+
+/* The same of the program and what it includes. A file that is gone for the moment, as while an
+ * editor writes it anew, counts as it was: *there is false. */
+static uint64_t stamp_of_all(const struct vm_show *show, bool *there)
+{
+    uint64_t all = stamp_of(show->path);
+    *there = all != 0;
+    const struct df_program *p = show->program ? &show->program->input.program : NULL;
+    for (unsigned i = 0; p && i < p->file_count; i++) {
+        uint64_t one = stamp_of(p->files[i]);
+        *there = *there && one != 0;
+        all = all * 31 + one;
     }
+    return all;
+}
+
+static void note_time(struct vm_show *show)
+{
+    bool there;
+    show->stamp = stamp_of_all(show, &there);
 }
 
 void vm_show_close(struct vm_shown *program)
@@ -112,10 +134,16 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
 
 static bool file_changed(const struct vm_show *show)
 {
-    struct stat status;
-    return stat(show->path, &status) == 0 &&
-           (show->changed_s != (long long)status.st_mtim.tv_sec ||
-            show->changed_ns != (long long)status.st_mtim.tv_nsec);
+    bool there;
+    uint64_t stamp = stamp_of_all(show, &there);
+    return there && stamp != show->stamp;
+}
+
+/* Whether the program is still for the tube it is shown on; the tour says which itself. */
+static bool same_tube(const struct vm_show *show, const struct vm_input *now)
+{
+    const char *then = vm_input_tube(&show->program->input), *wanted = vm_input_tube(now);
+    return show->touring || strcmp(then ? then : "", wanted ? wanted : "") == 0;
 }
 
 void vm_show_reload(struct vm_show *show, bool force)
@@ -131,11 +159,13 @@ void vm_show_reload(struct vm_show *show, bool force)
         vm_hud_message(show->hud, err.text, vm_window_time(), 20);
         return;
     }
-    if (input.is_recording) {
-        /* A recording has times of its own: it begins again at power-on. */
+    if (input.is_recording || !same_tube(show, &input)) {
+        /* A recording has times of its own, another tube its own light: power-on again. */
         vm_input_free(&input);
-        if (!vm_show_open(show, show->path, NULL, &err))
-            vm_show_say(show, err.text);
+        if (vm_show_open(show, show->path, NULL, &err))
+            vm_show_say(show, "loaded again");
+        else
+            vm_hud_message(show->hud, err.text, vm_window_time(), 20);
         return;
     }
     if (!vm_input_insert(&input, show->program->rig.machine, &err)) {
@@ -145,6 +175,7 @@ void vm_show_reload(struct vm_show *show, bool force)
     }
     vm_input_free(&show->program->input);
     show->program->input = input;
+    note_time(show);
     show->trouble_shown = false;
     vm_show_say(show, "loaded again");
 }

@@ -38,7 +38,7 @@ static void describe_scale(const struct vm_show *show, char *text, size_t size)
     if (show->paused)
         snprintf(text, size, "paused");
     else if (show->speed > 0 && show->speed < 0.8 * show->scale)
-        snprintf(text, size, "x%g (host manages x%.2g)", show->scale, show->speed);
+        snprintf(text, size, "x%.2g of x%g", show->speed, show->scale);
     else
         snprintf(text, size, "x%g", show->scale);
 }
@@ -56,9 +56,30 @@ static const char *describe_state(const struct vm_machine *m)
     return "";
 }
 
+bool vm_status_text(const struct vm_status *s, int columns, char *text, size_t size)
+{
+    /* What is left out first is what changes least. */
+    for (int left_out = 0; left_out < 4; left_out++) {
+        char rate[32] = "", words[32] = "", tube[96] = "";
+        if (s->rate_hz > 0)
+            snprintf(rate, sizeof rate, "  %.1f Hz", s->rate_hz);
+        if (s->rate_hz > 0 && left_out < 1)
+            snprintf(words, sizeof words, "  %llu words", (unsigned long long)s->words);
+        if (left_out < 3)
+            snprintf(tube, sizeof tube, "  %s%s%s", s->tube, left_out < 2 ? "/" : "",
+                     left_out < 2 ? s->phosphor : "");
+        int n = snprintf(text, size, "%s%s  %s%s%s  %s%s", s->name, tube, s->time, rate, words,
+                         s->scale, s->state);
+        if (n > 0 && n <= columns)
+            return true;
+    }
+    return false;
+}
+
 void vm_show_status(struct vm_show *show, double now)
 {
-    char text[400], time[32], scale[64], rate[96] = "";
+    char text[400], time[32], scale[64];
+    int width, height;
     const struct vm_machine *m = show->program->rig.machine;
     measure_speed(show, now);
     if (now - show->status_since < STATUS_S)
@@ -72,11 +93,15 @@ void vm_show_status(struct vm_show *show, double now)
                                    : 8,
              (double)m->now / (double)CRT_PS_PER_S);
     describe_scale(show, scale, sizeof scale);
-    if (show->rate_hz > 0)
-        snprintf(rate, sizeof rate, "  %.1f Hz  %llu words", show->rate_hz,
-                 (unsigned long long)m->refresh.words);
-    snprintf(text, sizeof text, "%s  %s/%s  %s%s  %s%s", show->program->input.name,
-             show->program->settings.row.name, show->program->settings.phosphor.name, time, rate,
-             scale, describe_state(m));
+    const struct vm_status status = {.name = show->program->input.name,
+                                     .tube = show->program->settings.row.name,
+                                     .phosphor = show->program->settings.phosphor.name,
+                                     .time = time,
+                                     .scale = scale,
+                                     .state = describe_state(m),
+                                     .rate_hz = show->rate_hz,
+                                     .words = m->refresh.words};
+    vm_window_size(show->window, &width, &height);
+    vm_status_text(&status, vm_hud_columns(width, height), text, sizeof text);
     vm_hud_status(show->hud, text);
 }

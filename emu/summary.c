@@ -13,12 +13,18 @@ struct measure {
     uint64_t shortest, longest, total;
     uint64_t words, instructions, strokes, lit;
     uint64_t first_begin, last_begin, periods;
+    uint64_t late, first_late,
+        first_late_begin; /* refreshes longer than a tick; the first's number */
     struct vm_flow flow;
 };
 
-static void add(struct measure *m, const struct vm_refresh *r)
+static void add(struct measure *m, const struct vm_refresh *r, uint64_t tick)
 {
     uint64_t took = r->end - r->begin;
+    if (took > tick && m->late++ == 0) {
+        m->first_late = m->refreshes + 1;
+        m->first_late_begin = r->begin;
+    }
     m->shortest = m->refreshes == 0 || took < m->shortest ? took : m->shortest;
     m->longest = took > m->longest ? took : m->longest;
     m->refreshes++;
@@ -52,7 +58,7 @@ static bool measure(const struct vm_settings *s, const struct vm_input *input,
            vm_machine_run_refresh(m, length ? length : PATIENCE_PS)) {
         add_period(result, &m->refresh, result->refreshes == 0);
         if (length || result->refreshes == 0)
-            add(result, &m->refresh);
+            add(result, &m->refresh, crt_tick_time(s->tick, 1));
     }
     result->flow = m->flow;
     if (result->refreshes == 0 && !vm_find_trouble(m, input, err))
@@ -119,6 +125,17 @@ static void print_fit(FILE *out, const struct vm_settings *s, const struct measu
     char text[32], spare[32];
     vm_format_time(tick, text, sizeof text);
     fprintf(out, "  %-13s %s (%.4g Hz): ", "sync tick", text, hz);
+    if (m->late > 0 && m->refreshes > 1) {
+        vm_format_time(m->longest - tick, spare, sizeof spare);
+        vm_format_time(m->first_late_begin, text, sizeof text);
+        fprintf(out,
+                "%llu of %llu refreshes exceed it, the first is number %llu at %s; the longest "
+                "exceeds it by %s and takes %.0f ticks\n",
+                (unsigned long long)m->late, (unsigned long long)m->refreshes,
+                (unsigned long long)m->first_late, text, spare,
+                ceil((double)m->longest / (double)tick));
+        return;
+    }
     if (m->longest > tick) {
         vm_format_time(m->longest - tick, spare, sizeof spare);
         fprintf(out, "the refresh exceeds it by %s and takes %.0f ticks: it flickers more\n", spare,
@@ -139,6 +156,8 @@ static void print_all(FILE *out, const struct vm_settings *s, const struct vm_in
     fprintf(out, "%s on %s (%s)", input->name, s->row.name, s->phosphor.name);
     if (m->refreshes > 1)
         fprintf(out, ", %llu refreshes", (unsigned long long)m->refreshes);
+    else
+        fprintf(out, ", the first refresh (--for T measures all within T)");
     fputc('\n', out);
     print_refresh(out, s, m, low, high);
     print_rate(out, m);

@@ -21,7 +21,7 @@ static void explain_dark(const struct vm_machine *m, const struct vm_input *inpu
                          struct crt_error *sentence)
 {
     char where[96], after[32];
-    vm_format_time(m->now, after, sizeof after);
+    vm_format_time(m->now - m->loaded, after, sizeof after);
     if (input->is_recording) {
         crt_fail(sentence, "%s has no stroke in its first %s", input->name, after);
     } else if (m->flow.loops) {
@@ -66,7 +66,7 @@ enum vm_trouble vm_find_trouble(const struct vm_machine *m, const struct vm_inpu
             input->name, address, m->desc.memory_bytes - 2);
         return VM_TROUBLE_TIMEOUT;
     }
-    if (m->strokes == 0) {
+    if (m->strokes == m->strokes_before) {
         explain_dark(m, input, sentence);
         return VM_TROUBLE_DARK;
     }

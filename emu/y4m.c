@@ -8,19 +8,17 @@
 
 static bool trouble(const struct vm_y4m *y, struct crt_error *err)
 {
-    return crt_fail(err, "%.300s cannot be written: %s", y->path, strerror(errno));
+    return crt_fail(err, "%.300s cannot be written: %s", y->out.path, strerror(errno));
 }
 
 bool vm_y4m_open(struct vm_y4m *y, const char *path, int width, int height, struct crt_rate fps,
                  struct crt_error *err)
 {
-    bool standard = strcmp(path, "-") == 0;
-    *y = (struct vm_y4m){
-        .path = standard ? "standard output" : path, .width = width, .height = height};
+    *y = (struct vm_y4m){.width = width, .height = height};
     signal(SIGPIPE, SIG_IGN);
-    y->file = standard ? stdout : fopen(path, "wb");
-    if (!y->file)
-        return trouble(y, err);
+    if (!vm_out_open(&y->out, path, err))
+        return false;
+    y->file = y->out.file;
     y->planes = malloc((size_t)width * (size_t)height * 3);
     if (!y->planes)
         return crt_fail(err, "not enough memory for a frame of %dx%d", width, height);
@@ -50,11 +48,9 @@ bool vm_y4m_frame(struct vm_y4m *y, const struct crt_image *image, struct crt_er
     return true;
 }
 
-bool vm_y4m_close(struct vm_y4m *y, struct crt_error *err)
+bool vm_y4m_close(struct vm_y4m *y, bool keep, struct crt_error *err)
 {
-    bool ok = true;
-    if (y->file && (fflush(y->file) != 0 || (y->file != stdout && fclose(y->file) != 0)))
-        ok = trouble(y, err);
+    bool ok = vm_out_close(&y->out, keep, err);
     free(y->planes);
     *y = (struct vm_y4m){0};
     return ok;

@@ -85,7 +85,7 @@ says "power-on" 2 "above zero" capture "$star" --at 0s -o "$work/x.png"
 says "no exposure" 2 "above zero" capture "$star" --exposure 0s -o "$work/x.png"
 says "impossible size" 2 "not possible" capture "$star" --size 0x0 -o "$work/x.png"
 says "huge size" 2 "not possible" capture "$star" --size 99999x99999 -o "$work/x.png"
-says "impossible depth" 2 "8 or 16" capture "$star" --depth 12 -o "$work/x.png"
+says "impossible depth" 2 "not one of 8.16" capture "$star" --depth 12 -o "$work/x.png"
 says "film and glass" 2 "exclude" capture "$star" --film --glass -o "$work/x.png"
 says "sequence into one file" 2 "%04d" capture "$star" --from 1s --to 2s -o "$work/x.png"
 says "sequence backwards" 2 "later" capture "$star" --from 2s --to 1s -o "$work/%04d.png"
@@ -129,6 +129,59 @@ says "malformed recording" 1 "bad.beam:4" capture "$work/bad.beam" -o "$work/x.p
 printf 'beam 1\ntube VR17\ntick 60/1\n' >"$work/none.beam"
 says "empty recording" 1 "no strokes" capture "$work/none.beam" -o "$work/x.png"
 says "bad INI" 1 "note.txt:1" capture "$star" --tubes "$work/note.txt" -o "$work/x.png"
+
+# ---- what is written ----------------------------------------------------------------------------
+says "not an hour of seconds before power-on" 2 "before power-on" capture "$star" --at 1s --exposure 2s -o "$work/x.png"
+says "words are not source" 2 "disasm" asm "$square"
+cp "$star" "$work/own.df"
+cp "$square" "$work/own.oct"
+ln -s own.df "$work/link.df"
+says "a picture over its program" 2 "written over" capture "$work/own.df" -o "$work/own.df"
+says "the same through a link" 2 "written over" capture "$work/own.df" -o "$work/link.df"
+says "a strip over its program" 2 "written over" capture "$work/own.df" --from 0s --to 1s --y4m "$work/own.df"
+says "a trace over its program" 2 "written over" trace "$work/own.df" -o "$work/own.df"
+says "words over their source" 2 "written over" asm "$work/own.df" -o "$work/own.df"
+says "source over its words" 2 "written over" disasm "$work/own.oct" -o "$work/own.oct"
+check "the program is as it was" cmp -s "$star" "$work/own.df"
+check "the words are as they were" cmp -s "$square" "$work/own.oct"
+says "words into no folder" 1 "nowhere/a.oct cannot be written" asm "$star" -o "$work/nowhere/a.oct"
+says "source into a folder" 1 "is a directory" disasm "$square" -o "$work"
+says "trace into no folder" 1 "nowhere/a cannot be written" trace "$star" -o "$work/nowhere/a"
+says "words onto a full disk" 1 "/dev/full cannot be written" asm "$star" -o /dev/full
+echo before >"$work/link-target.oct"
+ln -s link-target.oct "$work/link.oct"
+"$KINESCOPE" asm "$star" -o "$work/link.oct"
+check "a link stays a link" test -L "$work/link.oct"
+check "what it points to is replaced" grep -q "^=" "$work/link-target.oct"
+
+# Ctrl-C half-way: what was there stays, and nothing is left beside it.
+mkdir "$work/stopped"
+echo before >"$work/stopped/a.y4m"
+echo before >"$work/stopped/a.txt"
+for kind in "capture --from 0s --to 600s --size 64x64 --y4m $work/stopped/a.y4m" \
+    "trace --for 600s -o $work/stopped/a.txt"; do
+    # Not by a shell's own background job, which would ignore SIGINT.
+    # shellcheck disable=SC2086
+    timeout -s INT 1 "$KINESCOPE" ${kind%% *} "$star" ${kind#* } 2>/dev/null
+done
+check "Ctrl-C leaves a film strip as it was" same "$(cat "$work/stopped/a.y4m")" before
+check "Ctrl-C leaves a trace as it was" same "$(cat "$work/stopped/a.txt")" before
+check "Ctrl-C leaves nothing beside them" same "$(ls "$work/stopped" | tr '\n' ' ')" "a.txt a.y4m "
+
+# ---- one sentence for one trouble ---------------------------------------------------------------
+"$KINESCOPE" capture "$star" --film -o - >/dev/full 2>"$work/err"
+check "a picture onto a full disk: status" [ $? -eq 1 ]
+check "one sentence" [ "$(wc -l <"$work/err")" -eq 1 ]
+"$KINESCOPE" capture "$star" --film -o "$work/one.png"
+"$KINESCOPE" compare "$work/one.png" "$work/one.png" >/dev/full 2>"$work/err"
+check "compare: a full disk is trouble, not a difference" [ $? -eq 2 ]
+check "compare: one sentence" [ "$(wc -l <"$work/err")" -eq 1 ]
+says "compare: the difference over a picture" 2 "written over" compare "$work/one.png" "$work/one.png" --diff "$work/one.png"
+
+# The hand waits for the first tick, at 16.7 ms.
+says "too early for light" 1 "at 1.000 ms would be black" capture "$spin" --at 1ms -o "$work/x.png"
+says "an event that has no time to come" 3 "refresh:3 has not come" capture "$spin" --when refresh:3 --timeout 1ms -o "$work/x.png"
+check "a sequence may begin in the dark" "$KINESCOPE" capture "$spin" --from 0s --to 5ms --fps 1000 --size 64x64 -o "$work/dark%d.png"
 
 printf '  point\n  plot 2000, 5\n  frob 3\n' >"$work/bad.df"
 "$KINESCOPE" asm "$work/bad.df" >"$work/out" 2>"$work/err"
@@ -239,6 +292,12 @@ check "trace: one refresh" [ "$(wc -l <"$work/trace")" -eq 9 ]
 "$KINESCOPE" trace "$square" --summary >"$work/summary"
 check "summary" grep -q "refresh time" "$work/summary"
 
+check "summary of the first refresh says so" grep -q "the first refresh" "$work/summary"
+"$KINESCOPE" trace "$programs/../../roms/growing.df" --summary --for 4s >"$work/summary"
+late=$("$KINESCOPE" trace "$programs/../../roms/growing.df" --summary --for 1.5s | grep -c "exceed")
+check "summary counts the refreshes that miss the tick" grep -qE "[1-9][0-9]* of [0-9]+ refreshes exceed it, the first is number [0-9]+ at" "$work/summary"
+check "summary: none yet" [ "$late" -eq 0 ]
+
 # The course-notes question: 1000 instructions at 33.33 us each are 30 refreshes a second.
 {
     echo "@0"
@@ -258,6 +317,7 @@ check "list phosphors" [ "$("$KINESCOPE" list phosphors | grep -c '^P')" -ge 20 
 mkdir "$work/roms"
 printf '# tour\nstar.df VR14 A star\n\nspin.df - A hand\n' >"$work/roms/tour.txt"
 check "list roms" [ "$("$KINESCOPE" list roms --roms "$work/roms" | grep -c "A star$")" -eq 1 ]
+check "list roms names files from here" same "$(cd "$work" && "$KINESCOPE" list roms --roms "$work/roms" | cut -d' ' -f1 | tr '\n' ' ')" "roms/star.df roms/spin.df "
 printf 'star.df\n' >"$work/roms/tour.txt"
 says "a tour without tubes" 1 "tour.txt:1" list roms --roms "$work/roms"
 printf '../star.df VR17 x\n' >"$work/roms/tour.txt"

@@ -11,6 +11,7 @@
 #include "display_file/glyphs.h"
 #include "emu/canvas.h"
 #include "emu/hud.h"
+#include "emu/show.h"
 
 static struct vm_hud *new_hud(void)
 {
@@ -131,6 +132,31 @@ static void is_drawn_again_only_when_it_changes(void **state)
     vm_hud_destroy(hud);
 }
 
+static void status_text_leaves_out_what_changes_least(void **state)
+{
+    const struct vm_status s = {.name = "growing.df",
+                                .tube = "VR17",
+                                .phosphor = "P31",
+                                .time = "4.70 s",
+                                .scale = "x0.45 of x1",
+                                .state = "",
+                                .rate_hz = 59.96,
+                                .words = 2345};
+    char text[200];
+    (void)state;
+    assert_true(vm_status_text(&s, 80, text, sizeof text));
+    assert_string_equal(text, "growing.df  VR17/P31  4.70 s  60.0 Hz  2345 words  x0.45 of x1");
+    assert_true(vm_status_text(&s, vm_hud_columns(800, 800), text, sizeof text));
+    assert_string_equal(text, "growing.df  VR17/P31  4.70 s  60.0 Hz  2345 words  x0.45 of x1");
+    assert_true(vm_status_text(&s, vm_hud_columns(740, 740), text, sizeof text));
+    assert_string_equal(text, "growing.df  VR17/P31  4.70 s  60.0 Hz  x0.45 of x1");
+    assert_true(vm_status_text(&s, 46, text, sizeof text));
+    assert_string_equal(text, "growing.df  VR17  4.70 s  60.0 Hz  x0.45 of x1");
+    assert_true(vm_status_text(&s, 40, text, sizeof text));
+    assert_string_equal(text, "growing.df  4.70 s  60.0 Hz  x0.45 of x1");
+    assert_false(vm_status_text(&s, 39, text, sizeof text));
+}
+
 static void status_lies_at_the_bottom_in_dots_that_suit_the_window(void **state)
 {
     (void)state;
@@ -201,6 +227,7 @@ int main(void)
         cmocka_unit_test(text_wraps_between_words),
         cmocka_unit_test(nothing_to_say_is_no_overlay),
         cmocka_unit_test(is_drawn_again_only_when_it_changes),
+        cmocka_unit_test(status_text_leaves_out_what_changes_least),
         cmocka_unit_test(status_lies_at_the_bottom_in_dots_that_suit_the_window),
         cmocka_unit_test(a_message_fades_and_goes),
         cmocka_unit_test(help_fits_any_window),

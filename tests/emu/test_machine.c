@@ -11,6 +11,7 @@
 
 #include "display_file/df_regs.h"
 #include "emu/machine.h"
+#include "emu/trouble.h"
 
 #define COUNT(a) (sizeof(a) / sizeof *(a))
 #define US       CRT_PS_PER_US
@@ -304,6 +305,26 @@ static void loading_again_keeps_time(void **state)
     tear_down(&b);
 }
 
+/* Reloaded, a program that stays dark is in trouble, however much the one before has drawn. */
+static void trouble_is_of_the_program_loaded_last(void **state)
+{
+    (void)state;
+    static const uint16_t lit[] = {POINT, LIT | 100, 100, STOP};
+    static uint16_t words[DF_MEMORY_BYTES / 2];
+    struct bench b = set_up(lit, COUNT(lit), 0, VM_RESTART);
+    struct vm_input input = {.name = "loop"};
+    struct crt_error err;
+    words[0] = STOP;
+    vm_machine_run(b.m, CRT_PS_PER_S);
+    assert_true(b.m->strokes > 0);
+    assert_int_equal(vm_find_trouble(b.m, &input, &err), VM_NO_TROUBLE);
+    struct df_program program = {.words = words, .low = 0, .high = 2};
+    assert_true(vm_machine_load(b.m, &program, "loop", &err));
+    vm_machine_run(b.m, 2 * CRT_PS_PER_S);
+    assert_int_equal(vm_find_trouble(b.m, &input, &err), VM_TROUBLE_DARK);
+    tear_down(&b);
+}
+
 static void recordings_are_played_in_time(void **state)
 {
     (void)state;
@@ -358,6 +379,7 @@ int main(void)
         cmocka_unit_test(memory_ends_where_it_is_set),
         cmocka_unit_test(an_illegal_word_hangs),
         cmocka_unit_test(loading_again_keeps_time),
+        cmocka_unit_test(trouble_is_of_the_program_loaded_last),
         cmocka_unit_test(recordings_are_played_in_time),
         cmocka_unit_test(drive_grows_with_level),
     };

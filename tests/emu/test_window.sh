@@ -134,6 +134,22 @@ difference() {
 echo "$(difference kinescope-005.png star.png) $(difference kinescope-004.png star.png)" |
     awk '{ exit !(NF == 2 && $1 < 0.2 * $2) }'
 report $? "a changed file is loaded again"
+# Another tube: the picture is of that tube.
+{ echo '  .tube "RADAR7"' && cat "$programs/star.df"; } >other.df
+"$KINESCOPE" run other.df --size 500x500 2>>log &
+second=$!
+until_true 30 title other.df
+{ echo '  .tube "VR14"' && cat "$programs/star.df"; } >other.df
+sleep 3
+xdotool windowfocus "$(title other.df | tail -n 1)" 2>/dev/null
+xdotool mousemove 250 250
+sleep 0.5
+press F5 F12
+until_true 10 test -s kinescope-006.png
+grep -aq "VR14" kinescope-006.png
+report $? "a program for another tube is shown on it"
+chord q
+wait $second
 echo "  nonsense" >>live.df
 sleep 1
 kill -0 $viewer
