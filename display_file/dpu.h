@@ -70,12 +70,11 @@ struct df_dpu_desc {
 /* The vector being drawn; after a pen interrupt, what RESUME still has to draw. */
 struct df_pending_vector {
     bool active;
-    int32_t x0, y0;  /* where it started, head units */
-    int32_t x1, y1;  /* where it is going, head units before wrapping (on screen when drawn) */
-    uint32_t units;  /* along the longer axis */
-    uint32_t source; /* address of its first word */
-    uint64_t span;   /* ps the beam takes from end to end */
-    uint64_t done;   /* ps of the span already drawn */
+    int32_t x0, y0; /* where it started, head units */
+    int32_t x1, y1; /* where it is going, head units before wrapping (on screen when drawn) */
+    uint32_t units; /* along the longer axis */
+    uint64_t span;  /* ps the beam takes from end to end */
+    uint64_t done;  /* ps of the span already drawn */
 };
 
 /* The second character of a word whose first one raised an interrupt; RESUME draws it. */

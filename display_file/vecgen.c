@@ -164,18 +164,12 @@ void df_vecgen_vector(struct df_dpu *dpu, bool on, int32_t dx, int32_t dy)
     df_dpu_schedule(dpu, timing->vector_setup_ps, timing->vector_unit_ps * units, &t0, &t1);
     if (!visible || t1 <= t0 || df_blinked_out(dpu, t0))
         return;
-    *v = (struct df_pending_vector){.x0 = x0,
-                                    .y0 = y0,
-                                    .x1 = x1,
-                                    .y1 = y1,
-                                    .units = units,
-                                    .source = dpu->source,
-                                    .span = t1 - t0};
+    *v = (struct df_pending_vector){
+        .x0 = x0, .y0 = y0, .x1 = x1, .y1 = y1, .units = units, .span = t1 - t0};
     draw(dpu, t0, true);
 }
 
 void df_vecgen_resume(struct df_dpu *dpu)
 {
-    dpu->source = dpu->vector.source;
     draw(dpu, dpu->clock - dpu->vector.done, false);
 }

@@ -161,6 +161,20 @@ static void dots_off_screen_stay_dark(void **state)
         assert_true(rig_y0(&r->strokes[i]) > 0);
 }
 
+static void dots_that_lean_off_screen_stay_dark(void **state)
+{
+    (void)state;
+    rig_init(r);
+    RUN(r, 0114000, 1012, 200, 0170060, 0100000, PAIR('H', 0)); /* 1012 … 1023 and 4⅔ more on top */
+    size_t whole = 0;
+    for (int column = 0; column < 6; column++)
+        for (int row = 0; row < 8; row++)
+            whole += df_glyph_ascii('H')->column[column] >> row & 1;
+    assert_true(r->count > 0 && r->count < whole);
+    for (size_t i = 0; i < r->count; i++)
+        assert_true(rig_x0(&r->strokes[i]) < 1023.01);
+}
+
 static void bad_shifted_out_code_interrupts(void **state)
 {
     (void)state;
@@ -227,6 +241,7 @@ int main(void)
         cmocka_unit_test(italics_slant),
         cmocka_unit_test(base_line_off_screen_is_not_drawn),
         cmocka_unit_test(dots_off_screen_stay_dark),
+        cmocka_unit_test(dots_that_lean_off_screen_stay_dark),
         cmocka_unit_test(bad_shifted_out_code_interrupts),
         cmocka_unit_test(resume_draws_the_second_character),
     };

@@ -64,6 +64,10 @@ static void strokes_lie_where_they_should(void **state)
     /* 3 fetches, 200 units to settle: 1 + 3.6; lit 1 µs. */
     assert_int_equal(r->strokes[1].t0, (36500 + 4500 + 4600) * NS);
     assert_int_equal(r->strokes[1].t1, (36500 + 4500 + 5600) * NS);
+    assert_int_equal(r->dpu.usage.strokes, 2);
+    assert_int_equal(r->dpu.usage.lit_ps, 31 * US);
+    assert_int_equal(r->dpu.usage.vectors, 1);
+    assert_int_equal(r->dpu.usage.points, 1);
 }
 
 static void off_screen_and_dark_items_take_the_same_time(void **state)
@@ -158,9 +162,10 @@ static void average_is_shared_with_resume(void **state)
     assert_int_equal(r->dpu.t, 130 * US);
     /* The stop interrupt comes when the stop word's time is over. */
     LOAD(r, 0, 0173400);
-    rig_go(r, 0);
+    df_dpu_write(&r->dpu, DF_DPC, 0, 500 * US);
+    rig_continue(r);
     assert_int_equal(r->events[r->event_count - 1].t, r->dpu.t);
-    assert_int_equal(r->dpu.t, 150 * US);
+    assert_int_equal(r->dpu.t, 520 * US);
     /* A pen hit half-way through a vector, without a spot: the other half is drawn after RESUME. */
     rig_init(r);
     r->desc.timing.average_ps = 20 * US;
@@ -179,7 +184,7 @@ static void average_is_shared_with_resume(void **state)
     r->desc.timing.average_ps = 2;
     rig_restart(r);
     LOAD(r, 0, 0170300, 0104140, DF_BEAM_ON | 50 << 7, DF_STOP);
-    r->pen_at = 5;
+    r->pen_at = 4;
     df_dpu_write(&r->dpu, DF_DPC, 0, 0);
     for (uint64_t before = 0; r->dpu.state == DF_RUNNING; before = r->dpu.t) {
         df_dpu_step(&r->dpu);
