@@ -99,6 +99,7 @@ static struct crt_tube_desc desc_of(int threads)
 {
     row = model_row(CELL, 0);
     phosphor = model_phosphor(3, shares, taus);
+    phosphor.colour[0] = (struct crt_chromaticity){0.226, 0.528};
     return (struct crt_tube_desc){
         .row = &row,
         .phosphor = &phosphor,
