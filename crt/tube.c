@@ -129,7 +129,7 @@ static bool sane_stroke(const struct crt_stroke *s)
 
 void crt_tube_stroke(struct crt_tube *tube, const struct crt_stroke *stroke)
 {
-    assert(stroke->t0 >= tube->last_start && stroke->t0 >= tube->begin);
+    assert(stroke->t0 >= tube->last_start && stroke->t0 >= tube->now);
     tube->last_start = stroke->t0;
     tube->strokes++;
     if (!sane_stroke(stroke))

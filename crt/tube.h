@@ -77,8 +77,8 @@ struct crt_film {
 struct crt_tube *crt_tube_create(const struct crt_tube_desc *desc, struct crt_error *err);
 void crt_tube_destroy(struct crt_tube *tube);
 
-/* Commits one stroke to the journal. t0 must not precede that of the stroke before, nor an epoch
- * already committed; it may lie ahead of the last crt_tube_advance. */
+/* Commits one stroke to the journal. t0 must not precede that of the stroke before, nor the `now`
+ * of the last crt_tube_advance: films may have been completed up to then. */
 void crt_tube_stroke(struct crt_tube *tube, const struct crt_stroke *stroke);
 
 /* Tells the tube that every stroke starting before `now` has been delivered: ends the epochs up to

@@ -128,7 +128,7 @@ static void films_agree(const char *what, const uint64_t (*intervals)[2], int fi
     struct crt_tube *tube = run(intervals, films);
     for (int i = 0; i < films; i++) {
         assert_true(scene.film[i].complete);
-        double off = worst(&scene.film[i], 48);
+        double off = worst(&scene.film[i], 24);
         print_message("# %s, film %d: off by %.2e of peak\n", what, i, off);
         assert_true(off < allowed);
         crt_film_free(&scene.film[i]);

@@ -99,6 +99,7 @@ static struct crt_tube_desc desc_of(int threads)
 {
     row = model_row(CELL, 0);
     phosphor = model_phosphor(3, shares, taus);
+    phosphor.colour[0] = (struct crt_chromaticity){0.226, 0.528};
     return (struct crt_tube_desc){
         .row = &row,
         .phosphor = &phosphor,
@@ -348,6 +349,14 @@ static void stroke_backwards(struct crt_tube *tube, struct crt_film *film)
     crt_tube_stroke(tube, &b);
 }
 
+static void stroke_too_late(struct crt_tube *tube, struct crt_film *film)
+{
+    (void)film;
+    crt_tube_advance(tube, 1001);
+    struct crt_stroke s = {.t0 = 1000, .t1 = 2000, .drive = 1};
+    crt_tube_stroke(tube, &s);
+}
+
 static void stroke_in_an_ended_epoch(struct crt_tube *tube, struct crt_film *film)
 {
     (void)film;
@@ -368,9 +377,9 @@ static void misuse_asserts(void **state)
 {
     (void)state;
     void (*const misuse[])(struct crt_tube *, struct crt_film *) = {
-        film_backwards,       film_of_no_time,          film_too_late,
-        film_of_another_tube, film_without_memory,      time_backwards,
-        stroke_backwards,     stroke_in_an_ended_epoch, probe_of_an_ended_epoch};
+        film_backwards,           film_of_no_time,        film_too_late,    film_of_another_tube,
+        film_without_memory,      time_backwards,         stroke_backwards, stroke_too_late,
+        stroke_in_an_ended_epoch, probe_of_an_ended_epoch};
     for (unsigned i = 0; i < sizeof misuse / sizeof misuse[0]; i++) {
         pid_t child = fork();
         if (child == 0) {
