@@ -17,6 +17,9 @@
  *   (its place and strength are estimates).
  * - Tone curve, gamut desaturation and sRGB as in crt/develop.h.
  *
+ * - Dither: where room or scattered light may show as rings, less than a step of 8 (or 16) bits
+ *   either way, fixed to the pixels.
+ *
  * Passes that are off cost nothing.
  * Units:      luminance cd/m²; pixels.
  * Ownership:  crt_glass_create allocates GL objects in the current context; destroy needs it

@@ -186,6 +186,7 @@ static void set_face(const struct crt_glass *glass, const struct crt_glass_setti
     set_2f(gl, face, "edge", f->edge_corner, f->edge_soft);
     set_1f(gl, face, "scale", glass->per_second * settings->gain);
     set_1f(gl, face, "room", settings->room_cd_m2 * settings->gain);
+    set_1f(gl, face, "grain", tile->fine ? 1.0 / 65535 : 1.0 / 255);
     set_rgb(gl, face, "unit0", glass->unit[0]);
     set_rgb(gl, face, "unit1", glass->unit[1]);
 }

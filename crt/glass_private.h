@@ -96,6 +96,7 @@ void crt_glass_texture_resize(struct crt_glass *glass, struct crt_glass_texture 
 struct crt_glass_tile {
     int x, y, w, h;
     int win_w, win_h;
+    bool fine; /* 16 bits a sample, not 8 */
 };
 void crt_glass_draw_tile(struct crt_glass *glass, const struct crt_glass_settings *settings,
                          unsigned fbo, const struct crt_glass_tile *tile);

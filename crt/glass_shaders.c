@@ -220,6 +220,24 @@ const char *const crt_glass_place_vertex[] = {
     "}\n",
     NULL};
 
+/* Room and scattered light vary by less than a step of 8 bits over many pixels, which would show as
+ * rings: an ordered dither (Bayer's 8 × 8 matrix) within half a step either way, so that black stays
+ * black, and the same picture gives the same samples however it is cut into tiles. */
+#define DITHER                                                                                     \
+    "uniform float grain;            /* a step of the framebuffer */\n"                            \
+    "vec3 dithered(vec3 c)\n"                                                                      \
+    "{\n"                                                                                          \
+    "#if HALO || ROOM\n"                                                                           \
+    "    int x = tile.x + int(gl_FragCoord.x);\n"                                                  \
+    "    int y = tile.y + tile.w - 1 - int(gl_FragCoord.y);\n"                                     \
+    "    int q = x ^ y;\n"                                                                         \
+    "    int rank = (q & 1) << 5 | (y & 1) << 4 | (q & 2) << 2 | (y & 2) << 1 |\n"                 \
+    "               (q & 4) >> 1 | (y & 4) >> 2;\n"                                                \
+    "    c += grain * (float(rank) - 31.5) / 65.0;\n"                                              \
+    "#endif\n"                                                                                     \
+    "    return c;\n"                                                                              \
+    "}\n"
+
 const char *const crt_glass_face[] = {
     LIGHT,
     WARP,
@@ -247,10 +265,11 @@ const char *const crt_glass_face[] = {
     "}\n"
     "#endif\n",
     DISPLAY,
+    DITHER,
     "void main()\n"
     "{\n"
     "#if SAMPLE == SAMPLE_SMOOTH\n"
-    "    picture = vec4(colour, 1.0);\n"
+    "    picture = vec4(dithered(colour), 1.0);\n"
     "#else\n"
     "    vec2 here = vec2(gl_FragCoord.x, float(tile.w) - gl_FragCoord.y);\n"
     "    vec2 c = seen_at(vec2(tile.xy) + here);\n"
@@ -269,7 +288,7 @@ const char *const crt_glass_face[] = {
     "#if HALO\n"
     "    l = mix(l, scattered, halation);\n"
     "#endif\n"
-    "    picture = vec4(show(l, glow, shade), 1.0);\n"
+    "    picture = vec4(dithered(show(l, glow, shade)), 1.0);\n"
     "#endif\n"
     "}\n",
     NULL};

@@ -1,4 +1,5 @@
 /* capture — pictures without a display: one moment, a sequence, or a film strip. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -184,6 +185,22 @@ static int plan_exposure(struct capture *c, struct crt_error *err)
     return VM_EXIT_OK;
 }
 
+/* A picture of one tick shows little of a refresh that takes many, as on a slow tube. */
+static void hint_at_exposure(const struct capture *c, const struct vm_machine *m)
+{
+    char refresh[32], tick[32];
+    uint64_t length = m->refresh.end - m->refresh.begin;
+    if (c->sequence || c->o.exposure.given || c->o.moment.at.given || c->input.is_recording ||
+        length <= 2 * crt_tick_time(c->settings.tick, 1))
+        return;
+    vm_format_time(length, refresh, sizeof refresh);
+    vm_format_time(crt_tick_time(c->settings.tick, 1), tick, sizeof tick);
+    fprintf(stderr,
+            "kinescope capture: a refresh takes %s here and the picture gathers the last %s of "
+            "it; --exposure %.0fms gathers all\n",
+            refresh, tick, ceil((double)length / (double)CRT_PS_PER_MS));
+}
+
 /* Runs the program without light to where the pictures are: when that is, and whether all is well.
  */
 static int plan(struct capture *c, struct crt_error *err)
@@ -216,6 +233,8 @@ static int plan(struct capture *c, struct crt_error *err)
             fprintf(stderr, "kinescope capture: %s\n", trouble.text);
         }
     }
+    if (status == VM_EXIT_OK)
+        hint_at_exposure(c, rig.machine);
     vm_rig_close(&rig);
     return status ? status : plan_exposure(c, err);
 }
@@ -303,6 +322,16 @@ static int open_studios(struct capture *c, struct crt_error *err)
     return status;
 }
 
+/* A place that cannot be written is said before the work, not after it. */
+static bool check_place(const struct capture *c, struct crt_error *err)
+{
+    char name[4096];
+    if (c->strip)
+        return vm_out_check(c->o.y4m, err);
+    return !c->o.out || (vm_frame_name(c->o.out, c->sequence, 0, name, sizeof name, err) &&
+                         vm_out_check(name, err));
+}
+
 static int capture(struct capture *c)
 {
     struct crt_error err;
@@ -315,6 +344,8 @@ static int capture(struct capture *c)
         status = VM_EXIT_USAGE;
     if (status == VM_EXIT_OK)
         status = open_studios(c, &err);
+    if (status == VM_EXIT_OK && !check_place(c, &err))
+        status = VM_EXIT_TROUBLE;
     if (status == VM_EXIT_OK)
         status = plan(c, &err);
     if (status == VM_EXIT_OK) {

@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include "emu/command.h"
+#include "emu/moment.h"
 #include "emu/progress.h"
 #include "emu/show.h"
 #include "emu/trouble.h"
@@ -71,6 +72,9 @@ static int headless(const struct options *o, const struct vm_settings *settings,
         input->name, simulated, took, simulated / (took > 1e-9 ? took : 1e-9),
         (unsigned long long)m->dpu.words, (unsigned long long)m->strokes,
         (unsigned long long)m->refresh.number);
+    /* A program that has not lit the beam yet may still do so, after its first sync tick. */
+    if (m->strokes == 0)
+        vm_machine_run(rig.machine, VM_SETTLED_PS);
     int status = vm_find_trouble(m, input, err) ? VM_EXIT_TROUBLE : VM_EXIT_OK;
     vm_rig_close(&rig);
     return status;
@@ -135,6 +139,10 @@ static int run(int argc, char **argv)
     if (status >= 0)
         return status;
     const char *path = args.count ? args.item[0] : NULL;
+    if (o.length.given && o.length.value == 0) {
+        crt_fail(&err, "--for: nothing happens in no time; give a time above zero");
+        return fail(VM_EXIT_USAGE, &err);
+    }
     if (!o.headless)
         return run_window(&o, path);
     if (path)

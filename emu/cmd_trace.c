@@ -132,6 +132,9 @@ static int print_events(struct trace *t, struct crt_error *err)
     vm_progress_begin(&progress);
     vm_progress_trace(&progress, rig.machine, end, &hooks);
     vm_progress_end(&progress);
+    /* A program that has not lit the beam yet may still do so, after its first sync tick. */
+    if (rig.machine->strokes == 0)
+        vm_machine_run(rig.machine, VM_SETTLED_PS);
     enum vm_trouble found = vm_find_trouble(rig.machine, &t->input, &trouble);
     vm_rig_close(&rig);
     /* A trace of words in the dark is a good trace. */

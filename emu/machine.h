@@ -76,7 +76,7 @@ struct vm_machine {
     uint32_t entry;
     struct vm_flow flow;
     struct vm_recording recording;
-    size_t played; /* strokes of the recording delivered */
+    size_t played;                   /* strokes of the recording delivered */
     uint64_t loaded, strokes_before; /* when the program was, and the strokes until then */
     struct vm_hooks hooks;
 

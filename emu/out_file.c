@@ -11,7 +11,7 @@
 static bool cannot(const struct vm_out *out, struct crt_error *err)
 {
     const char *why = errno ? strerror(errno) : "not all of it was stored";
-    return crt_fail(err, "%.300s cannot be written: %s; give another name with -o",
+    return crt_fail(err, "%.300s cannot be written: %s; choose another place for it",
                     out->path ? out->path : "the file", why);
 }
 
@@ -118,6 +118,19 @@ bool vm_out_close(struct vm_out *out, bool keep, struct crt_error *err)
     if (!ok)
         cannot(out, err);
     forget(out);
+    return ok;
+}
+
+bool vm_out_check(const char *path, struct crt_error *err)
+{
+    struct vm_out out;
+    struct crt_error closing;
+    struct stat status;
+    bool exists = stat(path, &status) == 0;
+    if (strcmp(path, "-") == 0 || (exists && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)))
+        return true; /* opening a pipe or device may already mean something */
+    bool ok = vm_out_open(&out, path, err);
+    vm_out_close(&out, false, &closing);
     return ok;
 }
 

@@ -193,8 +193,10 @@ static bool check_program(const struct vm_show_desc *d, struct crt_error *err)
         vm_input_free(&input);
         return true;
     }
-    if (report)
+    if (report) {
         fputs(report, stderr);
+        err->text[0] = '\0'; /* all is said */
+    }
     free(report);
     return false;
 }

@@ -48,6 +48,17 @@ static void default_size(int *width, int *height)
     *height = side;
 }
 
+/* No larger than the monitor: what lies outside would be drawn for nobody. */
+static void fit_monitor(int *width, int *height)
+{
+    GLFWmonitor *monitor = glfwGetPrimaryMonitor();
+    const GLFWvidmode *mode = monitor ? glfwGetVideoMode(monitor) : NULL;
+    if (!mode)
+        return;
+    *width = *width < mode->width ? *width : mode->width;
+    *height = *height < mode->height ? *height : mode->height;
+}
+
 static bool open_handle(struct vm_window *window, int width, int height, const char *title,
                         struct crt_error *err)
 {
@@ -60,6 +71,7 @@ static bool open_handle(struct vm_window *window, int width, int height, const c
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_ALPHA_BITS, 0);
+    fit_monitor(&width, &height);
     window->handle = glfwCreateWindow(width, height, title, NULL, NULL);
     if (!window->handle)
         return no_window(err);

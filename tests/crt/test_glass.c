@@ -142,6 +142,34 @@ static void is_the_developed_picture(void **state)
     close_bench(&b);
 }
 
+/* Room light that lies between two steps of 8 bits: any 8 × 8 pixels have it as their mean. */
+static void light_between_two_steps_is_dithered(void **state)
+{
+    struct bench b = open_bench(backend_of(state));
+    struct crt_film film = new_film(104, 104, 1);
+    crt_glass_film(b.glass, &film, &white);
+    for (int i = 0; i < 9; i++) {
+        /* Linear light of 12.1, 12.2 … 12.9 steps of sRGB, by the standard's formula. */
+        double steps = 12.1 + 0.1 * i, light = pow((steps / 255 + 0.055) / 1.055, 2.4);
+        const struct crt_glass_settings lit = {.gain = 1, .room_cd_m2 = light};
+        struct crt_image image = render(&b, &lit, 104, 104, 8);
+        for (int y = 8; y < 96; y += 3)
+            for (int x = 8; x < 96; x += 5) {
+                double sum = 0;
+                for (int k = 0; k < 64; k++) {
+                    size_t at = (size_t)(y + k / 8) * 104 + (size_t)(x + k % 8);
+                    double v = image.samples[at * 3 + 1];
+                    assert_true(fabs(v - steps) < 1);
+                    sum += v / 64;
+                }
+                assert_true(fabs(sum - steps) < 0.03);
+            }
+        crt_image_free(&image);
+    }
+    free_film(&film);
+    close_bench(&b);
+}
+
 /* One cell a pixel in a window that is too large: the same copy, black bars around it. */
 static void bars_fill_a_window_of_another_shape(void **state)
 {
@@ -433,6 +461,7 @@ int main(void)
     }
     const struct CMUnitTest tests[] = {
         ON_BOTH(is_the_developed_picture),
+        ON_BOTH(light_between_two_steps_is_dithered),
         ON_BOTH(bars_fill_a_window_of_another_shape),
         ON_BOTH(enlarged_spots_keep_their_shape),
         ON_BOTH(reduced_pictures_keep_their_light),

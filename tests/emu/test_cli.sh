@@ -178,10 +178,18 @@ check "compare: a full disk is trouble, not a difference" [ $? -eq 2 ]
 check "compare: one sentence" [ "$(wc -l <"$work/err")" -eq 1 ]
 says "compare: the difference over a picture" 2 "written over" compare "$work/one.png" "$work/one.png" --diff "$work/one.png"
 
+says "a refresh of many ticks has a hint" 0 "refresh takes .* ms here .*--exposure [0-9]+ms gathers all" capture "$star" --tube TYPE30 --film -o "$work/slow.png"
+
 # The hand waits for the first tick, at 16.7 ms.
 says "too early for light" 1 "at 1.000 ms would be black" capture "$spin" --at 1ms -o "$work/x.png"
 says "an event that has no time to come" 3 "refresh:3 has not come" capture "$spin" --when refresh:3 --timeout 1ms -o "$work/x.png"
 check "a sequence may begin in the dark" "$KINESCOPE" capture "$spin" --from 0s --to 5ms --fps 1000 --size 64x64 -o "$work/dark%d.png"
+
+says "a run of no time" 2 "no time" run "$spin" --headless --for 0s
+"$KINESCOPE" run "$spin" --headless --for 1ms 2>/dev/null
+check "a short run is no trouble" [ $? -eq 0 ]
+check "a short trace is no trouble" [ "$("$KINESCOPE" trace "$spin" --what beam --for 1ms | wc -l)" -gt 0 ]
+says "a place that cannot be written, at once" 1 "nowhere/x.png cannot be written" capture "$spin" --film --at 3599s -o "$work/nowhere/x.png"
 
 printf '  point\n  plot 2000, 5\n  frob 3\n' >"$work/bad.df"
 "$KINESCOPE" asm "$work/bad.df" >"$work/out" 2>"$work/err"

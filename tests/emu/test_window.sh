@@ -166,6 +166,12 @@ report $? "nothing was complained about"
 
 "$KINESCOPE" run "$programs/star.df" --for 0.2s --size 300x300
 report $? "--for ends the show"
+printf '  frob 1\n' >bad.df
+"$KINESCOPE" run bad.df 2>bad.log
+[ $? -eq 1 ] && [ "$(grep -c 'bad.df:1:3: unknown' bad.log)" -eq 1 ]
+report $? "errors of a program are printed once, before a window opens"
+"$KINESCOPE" run "$programs/star.df" --for 0.1s --size 16384x16384
+report $? "a window is no larger than the monitor"
 mkdir roms
 cp "$programs/star.df" "$programs/spin.df" roms
 printf 'star.df - A star\nspin.df RADAR7 A hand\n' >roms/tour.txt
