@@ -1,9 +1,9 @@
 /* footprint.h — where on the grid the light of a moving spot falls.
  *
- *      start cap      interior       end cap
- *     ╭─────────┬────────────────┬─────────╮      F0 = cross(d) · [step(s) − step(s − L)]
- *     │    ●━━━━┿━━━━━━━━━━━━━━━━┿━━━●     │      F1 = the same, light weighted by −1…1 along the
- * stroke ╰─────────┴────────────────┴─────────╯
+ *        start cap      interior       end cap
+ *       ╭─────────┬────────────────┬─────────╮     F0 = cross(d) · [step(s) − step(s − L)]
+ *       │    ●━━━━┿━━━━━━━━━━━━━━━━┿━━━●     │     F1 = the same, light weighted by −1…1 along the
+ *       ╰─────────┴────────────────┴─────────╯          stroke
  *
  * Models:     a round Gaussian spot of width sigma moving at constant speed, or standing still.
  *             The spot is cut off at CRT_CUT sigma, lowered by its edge value so that it ends at
@@ -13,6 +13,8 @@
  *             began, so any part of a footprint can be computed alone. Steep strokes are walked by
  *             rows, shallow ones by groups of 8 columns; only the caps need the step.
  * Accuracy:   5e-6 of the crest.
+ * Ownership:  plain values; buffers are the caller's.
+ * Errors:     a stroke that lights no cell has no shape; kernels the processor lacks: a sentence.
  * Not modelled: spots much smaller than a cell (sigma below 0.8 cells loses energy to sampling).
  */
 #ifndef CRT_FOOTPRINT_H

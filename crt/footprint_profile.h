@@ -3,10 +3,11 @@
  *      cross: e^(−d²/2) ≈ p(x)^32, x = (d/CRT_CROSS_UNIT)², p cubic; p falls for every x, and stops
  *             at its value at the cut, whose 32nd power is then subtracted
  *      step:  ½·erfc(s/√2) ≈ r(|s|)^8, r of degree 5, also falling everywhere and stopped at the
- * cut
+ *             cut
  *
- * Method:    coefficients from a weighted minimax fit (Lawson) on 0 … 4.8 sigma: absolute errors
- * 7e-7 and 2e-6. The areas are those of these very profiles, integrated with 30 digits.
+ * Units:      sigma.
+ * Method:     coefficients from a weighted minimax fit (Lawson) on 0 … 4.8 sigma: absolute errors
+ *             7e-7 and 2e-6. The areas are those of these very profiles, integrated with 30 digits.
  */
 #ifndef CRT_FOOTPRINT_PROFILE_H
 #define CRT_FOOTPRINT_PROFILE_H

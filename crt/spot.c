@@ -6,13 +6,9 @@
 
 #define ROOT_TWO_PI 2.50662827463100050
 
-/* Width of a Gaussian at 60 % of its peak, in sigma: 2·√(2·ln(1/0.6)) = 2.0215; the tables' 2.02.
- */
-#define WIDTH_AT_60 2.02
-
 double crt_spot_sigma0(const struct crt_tube_row *row)
 {
-    return row->spot.value / WIDTH_AT_60;
+    return row->spot.value / CRT_WIDTH60_SIGMA;
 }
 
 static double sigma_at(const struct crt_tube_row *row, double current, double focus)

@@ -70,6 +70,7 @@ struct crt_grid crt_tube_grid(const struct crt_tube_row *row)
     X(fetch, 1e-3, 1e6)                                                                            \
     X(vector_setup, 0, 1e6)                                                                        \
     X(vector_unit, 1e-5, 1e6)                                                                      \
+    X(vector_rest, 0, 1e6)                                                                         \
     X(settle, 0, 1e6)                                                                              \
     X(settle_unit, 0, 1e6)                                                                         \
     X(settle_max, 0, 1e6)                                                                          \

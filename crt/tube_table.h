@@ -45,6 +45,7 @@ struct crt_figure {
     X(fetch, "us", "fetch and decode of one word")                                                 \
     X(vector_setup, "us", "vector: set-up")                                                        \
     X(vector_unit, "us", "vector: per unit of the longer axis")                                    \
+    X(vector_rest, "us", "vector: lit at rest at each end, within the set-up")                     \
     X(settle, "us", "beam-off move: fixed part")                                                   \
     X(settle_unit, "us", "beam-off move: per unit of the longer axis")                             \
     X(settle_max, "us", "beam-off move: at most")                                                  \

@@ -67,6 +67,8 @@ static void limit_timing(struct df_timing *t)
     limit(&t->fetch_ps, 1);
     limit(&t->vector_setup_ps, 0);
     limit(&t->vector_unit_ps, 1);
+    if (t->vector_rest_ps > t->vector_setup_ps / 2)
+        t->vector_rest_ps = t->vector_setup_ps / 2;
     limit(&t->settle_ps, 0);
     limit(&t->settle_unit_ps, 0);
     limit(&t->settle_max_ps, 0);
@@ -199,6 +201,11 @@ void df_dpu_write(struct df_dpu *dpu, unsigned offset, uint16_t value, uint64_t 
 
 /* ---- execution ------------------------------------------------------------------------------- */
 
+uint64_t df_ratio(uint64_t whole, uint64_t part, uint64_t of)
+{
+    return (uint64_t)((u128)whole * part / of);
+}
+
 void df_dpu_schedule(struct df_dpu *dpu, uint64_t lead, uint64_t lit, uint64_t *t0, uint64_t *t1)
 {
     const struct df_timing *timing = &dpu->desc.timing;
@@ -208,7 +215,7 @@ void df_dpu_schedule(struct df_dpu *dpu, uint64_t lead, uint64_t lit, uint64_t *
         *t1 = *t0 + lit;
     } else {
         uint64_t dark = timing->fetch_ps + lead;
-        *t0 = dpu->clock + (uint64_t)((u128)dpu->window * dark / (dark + lit));
+        *t0 = dpu->clock + df_ratio(dpu->window, dark, dark + lit);
         *t1 = dpu->clock + dpu->window;
     }
     dpu->clock = *t1;

@@ -73,7 +73,8 @@ struct df_pending_vector {
     int32_t x0, y0; /* where it started, head units */
     int32_t x1, y1; /* where it is going, head units before wrapping (on screen when drawn) */
     uint32_t units; /* along the longer axis */
-    uint64_t span;  /* ps the beam takes from end to end */
+    uint64_t span;  /* ps the beam is lit, rests included */
+    uint64_t rest;  /* of that, ps it rests at each end */
     uint64_t done;  /* ps of the span already drawn */
 };
 

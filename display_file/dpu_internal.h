@@ -27,6 +27,9 @@ void df_dpu_raise(struct df_dpu *dpu, enum df_interrupt line, uint64_t t);
 /* Stops until RESUME when a pen hit with its interrupt enabled happened since the action began. */
 void df_dpu_stop_for_pen(struct df_dpu *dpu, uint64_t t);
 
+/* floor(whole·part/of) by a 128-bit product. */
+uint64_t df_ratio(uint64_t whole, uint64_t part, uint64_t of);
+
 /* The generator is busy for `lead` ps dark, then for `lit` ps: gives the lit interval and moves the
  * clock past it. In average mode both are scaled to fill the window. */
 void df_dpu_schedule(struct df_dpu *dpu, uint64_t lead, uint64_t lit, uint64_t *t0, uint64_t *t1);

@@ -12,6 +12,7 @@ struct df_timing df_timing_of_tube(const struct crt_tube_row *row, enum df_timin
         .fetch_ps = picoseconds(&row->fetch, choice),
         .vector_setup_ps = picoseconds(&row->vector_setup, choice),
         .vector_unit_ps = picoseconds(&row->vector_unit, choice),
+        .vector_rest_ps = picoseconds(&row->vector_rest, choice),
         .settle_ps = picoseconds(&row->settle, choice),
         .settle_unit_ps = picoseconds(&row->settle_unit, choice),
         .settle_max_ps = picoseconds(&row->settle_max, choice),

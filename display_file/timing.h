@@ -24,6 +24,7 @@ enum df_timing_choice { DF_TIMING_VALUE, DF_TIMING_LOW, DF_TIMING_HIGH };
 struct df_timing {
     uint64_t fetch_ps;
     uint64_t vector_setup_ps, vector_unit_ps;
+    uint64_t vector_rest_ps; /* lit at rest at each end, within the set-up (at most half of it) */
     uint64_t settle_ps, settle_unit_ps, settle_max_ps;
     uint64_t point_ps;
     uint64_t character_ps, dot_ps;

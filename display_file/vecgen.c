@@ -41,21 +41,41 @@ static bool touches_screen(const struct df_dpu *dpu, int32_t x0, int32_t y0, int
     return !((a > 0 && b > 0 && e > 0 && f > 0) || (a < 0 && b < 0 && e < 0 && f < 0));
 }
 
-static double along(int32_t from, int32_t to, uint64_t part, uint64_t whole)
+/* How long the beam moves, and how long it has been moving `done` ps into the vector. */
+static uint64_t motion(const struct df_pending_vector *v)
 {
-    return from + (double)(to - from) * ((double)part / (double)whole);
+    return v->span - 2 * v->rest;
+}
+
+static uint64_t moved(const struct df_pending_vector *v, uint64_t done)
+{
+    uint64_t most = motion(v);
+    return done < v->rest ? 0 : done - v->rest < most ? done - v->rest : most;
+}
+
+static double along(const struct df_pending_vector *v, int32_t from, int32_t to, uint64_t done)
+{
+    return from + (double)(to - from) * ((double)moved(v, done) / (double)motion(v));
 }
 
 /* The unit the beam is nearest to `done` ps into the vector; see "Pen latch" in vecgen.h. */
 static void latched_unit(const struct df_pending_vector *v, uint64_t done, int32_t *x, int32_t *y)
 {
-    uint64_t n = v->units;
-    int32_t k = (int32_t)((2 * n * done + v->span) / (2 * v->span));
+    uint64_t n = v->units, whole = motion(v);
+    int32_t k = (int32_t)((2 * n * moved(v, done) + whole) / (2 * whole));
     int32_t two_n = 2 * (int32_t)n;
     int32_t dx = v->x1 - v->x0, dy = v->y1 - v->y0;
 
     *x = v->x0 + (dx < 0 ? -1 : 1) * ((2 * abs(dx) * k + (int32_t)n) / two_n);
     *y = v->y0 + (dy < 0 ? -1 : 1) * ((2 * abs(dy) * k + (int32_t)n) / two_n);
+}
+
+/* Where the beam next starts or stops moving, at or before `to`. */
+static uint64_t next_turn(const struct df_pending_vector *v, uint64_t from, uint64_t to)
+{
+    uint64_t start = v->rest, stop = v->span - v->rest;
+    uint64_t turn = from < start ? start : from < stop ? stop : v->span;
+    return turn < to ? turn : to;
 }
 
 /* Lights [from, to) of the vector, ps after its start, and goes on behind a pen hit that does not
@@ -67,24 +87,27 @@ static bool light_run(struct df_dpu *dpu, uint64_t from, uint64_t to, uint64_t *
     uint64_t when;
 
     while (from < to) {
+        uint64_t end = next_turn(v, from, to);
         struct df_stretch s = {
             *base + from,
-            *base + to,
-            along(v->x0, v->x1, from, v->span),
-            along(v->y0, v->y1, from, v->span),
-            along(v->x0, v->x1, to, v->span),
-            along(v->y0, v->y1, to, v->span),
+            *base + end,
+            along(v, v->x0, v->x1, from),
+            along(v, v->y0, v->y1, from),
+            along(v, v->x0, v->x1, end),
+            along(v, v->y0, v->y1, end),
         };
         uint64_t free;
         int32_t x, y;
 
-        if (!df_beam_light(dpu, &s, *hits, &when))
-            return true;
+        if (!df_beam_light(dpu, &s, *hits, &when)) {
+            from = end;
+            continue;
+        }
         *hits = false;
         from = when - *base;
         latched_unit(v, from, &x, &y);
-        free = df_beam_hit(dpu, x, y, along(v->x0, v->x1, from, v->span),
-                           along(v->y0, v->y1, from, v->span), when);
+        free = df_beam_hit(dpu, x, y, along(v, v->x0, v->x1, from), along(v, v->y0, v->y1, from),
+                           when);
         *base += free - when;
         if (dpu->stopping) {
             v->done = from;
@@ -99,7 +122,7 @@ static bool light_run(struct df_dpu *dpu, uint64_t from, uint64_t to, uint64_t *
 /* The time offset of the boundary before half-unit h (0 … 2·units). */
 static uint64_t boundary(const struct df_pending_vector *v, uint32_t h)
 {
-    return v->span * h / (2 * v->units);
+    return v->rest + motion(v) * h / (2 * v->units);
 }
 
 /* Draws the vector from v->done on; its first unit's time is `base`. */
@@ -144,7 +167,7 @@ void df_vecgen_vector(struct df_dpu *dpu, bool on, int32_t dx, int32_t dy)
     int32_t x0 = dpu->x, y0 = dpu->y, x1 = x0 + dx, y1 = y0 + dy;
     uint32_t units = df_vecgen_units(x0, y0, x1, y1);
     bool starts_on, visible;
-    uint64_t t0, t1;
+    uint64_t t0, t1, moving, resting;
 
     if (units == 0)
         return;
@@ -161,11 +184,14 @@ void df_vecgen_vector(struct df_dpu *dpu, bool on, int32_t dx, int32_t dy)
         return;
     }
     dpu->usage.vectors++;
-    df_dpu_schedule(dpu, timing->vector_setup_ps, timing->vector_unit_ps * units, &t0, &t1);
+    moving = timing->vector_unit_ps * units;
+    resting = 2 * timing->vector_rest_ps;
+    df_dpu_schedule(dpu, timing->vector_setup_ps - resting, moving + resting, &t0, &t1);
     if (!visible || t1 <= t0 || df_blinked_out(dpu, t0))
         return;
     *v = (struct df_pending_vector){
         .x0 = x0, .y0 = y0, .x1 = x1, .y1 = y1, .units = units, .span = t1 - t0};
+    v->rest = df_ratio(v->span, timing->vector_rest_ps, moving + resting);
     draw(dpu, t0, true);
 }
 

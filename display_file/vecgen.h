@@ -1,13 +1,16 @@
 /* vecgen.h — the vector generator: vectors, dashes, beam-off moves.
  *
- *      set-up (dark) ─▶ beam moves from unit to unit at constant speed ─▶ end
+ *      set-up (dark) ─▶ lit at rest ─▶ from unit to unit at constant speed ─▶ lit at rest
  *
  *      k = 0   1       2               units
  *      ├───┼───────┼───────┼─ … ─┼───────┼───┤     unit k is lit from k−½ to k+½,
- *                                                  the end points for half of that
+ *                                                  the end points for half of that and
+ *                                                  while it rests
  *
  * Models:     constant-speed vectors (time per unit of the longer axis), the line-type counter, the
  *             pen's cut in mid-vector and what RESUME draws of it, settling after beam-off moves.
+ * Rest:       the beam is on a little before it moves and a little after (vector_rest, within the
+ *             set-up), so end points are brighter than the line. A line type that is dark there stays dark.
  * Line types: a counter set to 37 (octal) at each vector goes down by one per unit; long dash =
  *             bit 4, short dash = bit 3, dot-dash = bits 2 and 1 without bit 3, or not bit 4.
  * Off screen: a vector with an end off screen draws nothing and takes its time (assumed: the manual
@@ -18,7 +21,7 @@
  * Ownership:  works on the caller's struct df_dpu, allocates nothing.
  * Errors:     none: every vector has a meaning.
  * Source:     DEC EK-VT11-TM-001; the times are those of the tube's row.
- * Not modelled: slew limits, overshoot, end-point waits of the analog generator.
+ * Not modelled: slew limits, overshoot of the analog generator.
  */
 #ifndef DF_VECGEN_H
 #define DF_VECGEN_H

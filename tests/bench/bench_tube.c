@@ -14,7 +14,7 @@
 #define ROUNDS    24
 #define UNITS     1024
 #define SCREEN_MM (9.25 * 25.4)
-#define SIGMA_MM  (0.508 / 2.02)
+#define SIGMA_MM  (0.508 / CRT_WIDTH60_SIGMA)
 
 /* Of this thread, so that other work on the machine does not count. */
 static double seconds(void)

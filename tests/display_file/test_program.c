@@ -49,6 +49,7 @@ static void times_of_a_tube_row(void **state)
     row.fetch = (struct crt_figure){1.5, 1.2, 1.8, "estimate"};
     row.vector_setup = (struct crt_figure){2, 1, 4, "estimate"};
     row.vector_unit = (struct crt_figure){0.1, 0.05, 0.2, "estimate"};
+    row.vector_rest = (struct crt_figure){0.2, 0, 0.3, "estimate"};
     row.settle = (struct crt_figure){1, 0.5, 2, "estimate"};
     row.settle_unit = (struct crt_figure){0.0176, 0.0150, 0.02, "estimate"};
     row.settle_max = (struct crt_figure){18, 17, 19, "estimate"};
@@ -57,8 +58,8 @@ static void times_of_a_tube_row(void **state)
     row.dot = (struct crt_figure){0.25, 0.2, 0.3, "estimate"};
     row.intensify = (struct crt_figure){20, 20, 20, "estimate"};
     struct df_timing value = df_timing_of_tube(&row, DF_TIMING_VALUE);
-    const struct df_timing expected = {1500000, 2000000,  100000, 1000000,  17600, 18000000,
-                                       1000000, 15000000, 250000, 20000000, 0};
+    const struct df_timing expected = {1500000,  2000000, 100000,   200000, 1000000,  17600,
+                                       18000000, 1000000, 15000000, 250000, 20000000, 0};
     assert_memory_equal(&value, &expected, sizeof value);
     struct df_timing low = df_timing_of_tube(&row, DF_TIMING_LOW);
     assert_int_equal(low.fetch_ps, 1200000);

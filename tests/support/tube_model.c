@@ -21,7 +21,7 @@ double model_uniform(uint32_t *state, double low, double high)
 struct crt_tube_row model_row(double sigma0_mm, double growth_mm)
 {
     struct crt_tube_row row = {.name = "MODEL", .phosphor = "MODEL"};
-    row.spot.value = 2.02 * sigma0_mm;
+    row.spot.value = CRT_WIDTH60_SIGMA * sigma0_mm;
     row.spot_growth.value = growth_mm;
     row.spot_exponent.value = 0.5;
     row.gun_exponent.value = 2.5;
