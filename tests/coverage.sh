@@ -47,5 +47,5 @@ awk 'function row(name, a, b, n) { printf "%-32s %6d %9.1f %9.1f\n", name, n, 10
      $3 > 0 { row($1, inputs[$1], $2, $3)
          folder = $1; sub(/\/.*/, "/", folder)
          a[folder] += inputs[$1]; b[folder] += $2; n[folder] += $3 }
-     END { print ""; for (f in n) row(f, a[f], b[f], n[f]) | "sort" }' "$logs/inputs" "$logs/tests"
+     END { print ""; for (f in n) row(f, a[f], b[f], n[f]) }' "$logs/inputs" "$logs/tests"
 exit $failed
