@@ -112,6 +112,9 @@ static bool line_init(struct crt_shape *s, const struct crt_stretch *t, double l
     s->along_0 = -(t->x0 * ux + t->y0 * uy) / t->sigma;
     s->along_step = (float)s->along_col;
     s->length = (float)(length / t->sigma);
+    s->rest_start = (float)(t->rest0 * length / t->sigma);
+    s->rest_end = (float)(t->rest1 * length / t->sigma);
+    s->rested = s->rest_start != 0 || s->rest_end != 0;
     s->ramp_scale = (float)(2 * t->sigma / length);
     s->ramp_0 = -1;
     s->area = CRT_LINE_AREA * t->sigma * length;
@@ -128,7 +131,7 @@ bool crt_shape_init(struct crt_shape *shape, const struct crt_stretch *stretch, 
         return dot_init(shape, &t, length, ux, uy, cols, rows);
     }
     if (fabs(dy) > fabs(dx) ? dy < 0 : dx < 0) {
-        t = (struct crt_stretch){t.x1, t.y1, t.x0, t.y0, t.sigma};
+        t = (struct crt_stretch){t.x1, t.y1, t.x0, t.y0, t.sigma, t.rest1, t.rest0};
         dx = -dx;
         dy = -dy;
         shape->turned = true;

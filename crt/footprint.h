@@ -5,7 +5,8 @@
  *       │    ●━━━━┿━━━━━━━━━━━━━━━━┿━━━●     │     F1 = the same, light weighted by −1…1 along the
  *       ╰─────────┴────────────────┴─────────╯          stroke
  *
- * Models:     a round Gaussian spot of width sigma moving at constant speed, or standing still.
+ * Models:     a round Gaussian spot of width sigma moving at constant speed, or standing still; or
+ *             resting at one end, moving, and resting at the other, as vectors are drawn.
  *             The spot is cut off at CRT_CUT sigma, lowered by its edge value so that it ends at
  *             exactly 0, and scaled back to unit energy.
  * Units:      cells; the footprint has no unit and is multiplied by a weight in cd·s/m².
@@ -32,6 +33,7 @@
 struct crt_stretch {
     double x0, y0, x1, y1; /* cells */
     double sigma;          /* cells */
+    double rest0, rest1; /* light of the spot at rest at each end, in parts of the moving spot's */
 };
 
 enum crt_walk { CRT_WALK_DOT, CRT_WALK_ROWS, CRT_WALK_COLUMNS };
@@ -43,6 +45,7 @@ struct crt_shape {
     enum crt_walk walk;
     bool whole;     /* the caps overlap: every cell needs both steps */
     bool narrow;    /* rows: the upper half of the last chunk is not needed */
+    bool rested;    /* rest_start or rest_end is not 0 */
     bool turned;    /* walked from the end to the start: the first moment changes sign */
     int r0, r1;     /* rows it may light, clipped to the grid */
     int a0, a1;     /* rows or groups walked */
@@ -58,7 +61,8 @@ struct crt_shape {
     double side_0, side_col, side_row;    /* dots: the same across */
     float along_step;                     /* along_col */
     float length;                         /* [sigma] */
-    float ramp_scale, ramp_0; /* position −1…1 along the stroke = ramp_0 + s·ramp_scale */
+    float rest_start, rest_end; /* light at rest at the ends: times the bell of unit area */
+    float ramp_scale, ramp_0;   /* position −1…1 along the stroke = ramp_0 + s·ramp_scale */
     double area; /* Σ F0 over all cells in units of sigma² (dots) or sigma·length (lines): 1/area
                     normalises */
 };
@@ -100,6 +104,11 @@ struct crt_kernels {
                  int stride);
     void (*draw_pair)(const struct crt_shape *shape, struct crt_part part, struct crt_target one,
                       struct crt_target two, int stride);
+    /* The same by ramps: F0 and F1. */
+    void (*draw_ramp)(const struct crt_shape *shape, struct crt_part part, struct crt_target target,
+                      int stride);
+    void (*draw_ramp_pair)(const struct crt_shape *shape, struct crt_part part,
+                           struct crt_target one, struct crt_target two, int stride);
     /* Adds what was computed before to cells whose rows are `stride` apart. f1 is used where w1 is
      * not 0. */
     void (*deposit)(const struct crt_shape *shape, struct crt_part part, const float *f0,

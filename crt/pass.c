@@ -263,7 +263,7 @@ static void work_kept(const struct crt_pass *pass, const struct piece *piece,
     deposit(pass, piece, weights, part, piece->kept, f1);
 }
 
-/* Straight to one or two receivers of constant weight; false when there are others. */
+/* Straight to one or two receivers; false when there are others. */
 static bool work_drawn(const struct crt_pass *pass, const struct piece *piece,
                        const struct crt_weight *weights, int lo, int hi)
 {
@@ -276,12 +276,15 @@ static bool work_drawn(const struct crt_pass *pass, const struct piece *piece,
             continue;
         if (count == 2)
             return false;
-        target[count++] = (struct crt_target){pass->receiver[i].cells, weights[i].w0, 0};
+        target[count++] =
+            (struct crt_target){pass->receiver[i].cells, weights[i].w0, weights[i].w1};
     }
     if (count == 2)
-        kernels->draw_pair(&piece->shape, part, target[0], target[1], pass->cols);
+        (piece->moment ? kernels->draw_ramp_pair
+                       : kernels->draw_pair)(&piece->shape, part, target[0], target[1], pass->cols);
     else if (count == 1)
-        kernels->draw(&piece->shape, part, target[0], pass->cols);
+        (piece->moment ? kernels->draw_ramp : kernels->draw)(&piece->shape, part, target[0],
+                                                             pass->cols);
     return true;
 }
 
@@ -319,7 +322,7 @@ static void work_piece(const struct crt_pass *pass, int index, int lo, int hi, i
         touch_rows(pass->tube, shape, lo, hi, pass->tube->planes.epoch + 1);
     if (piece->kept)
         work_kept(pass, piece, weights, lo, hi);
-    else if (piece->moment || !work_drawn(pass, piece, weights, lo, hi))
+    else if (!work_drawn(pass, piece, weights, lo, hi))
         work_computed(pass, piece, weights, lo, hi, worker);
 }
 
@@ -377,14 +380,17 @@ struct planning {
     const struct crt_entry *entry;
 };
 
-static void look_up(struct crt_pass *pass, struct piece *piece, const struct crt_entry *entry)
+static void look_up(struct crt_pass *pass, struct piece *piece, const struct crt_entry *entry,
+                    const struct crt_stretch *stretch)
 {
     struct crt_tube *tube = pass->tube;
     struct crt_reuse_key key = {.moment = piece->moment};
     struct crt_part whole = {piece->shape.r0, piece->shape.r1, true};
     const float position[4] = {entry->stroke.x0, entry->stroke.y0, entry->stroke.x1,
                                entry->stroke.y1};
+    const float rest[2] = {(float)stretch->rest0, (float)stretch->rest1};
     memcpy(key.position, position, sizeof position);
+    memcpy(key.rest, rest, sizeof rest);
     memcpy(&key.sigma, &entry->sigma_mm, sizeof key.sigma);
     size_t floats = crt_part_chunks(&piece->shape, whole) * (piece->moment ? 16 : 8);
     piece->store = crt_reuse_find(tube->reuse, &key, floats, tube->planes.epoch, &piece->kept) ==
@@ -406,7 +412,7 @@ static void add_piece(void *context, const struct crt_piece_plan *plan)
         piece->moment |= weights[i].w1 != 0;
     }
     if (plan->whole && pass->tube->reuse)
-        look_up(pass, piece, planning->entry);
+        look_up(pass, piece, planning->entry, &plan->stretch);
     if (++pass->count == BATCH)
         flush(pass);
 }
@@ -456,6 +462,14 @@ static void add_planes(struct crt_pass *pass)
     pass->planes = pass->receivers;
 }
 
+static bool all_done(const struct crt_pass *pass, const bool *done)
+{
+    for (int i = 0; i < pass->receivers; i++)
+        if (!done[i])
+            return false;
+    return true;
+}
+
 /* Strokes between `begin` and `end` to the pass's receivers. */
 static void plan_entries(struct crt_pass *pass, const struct crt_entries *entries, uint64_t begin,
                          uint64_t end)
@@ -465,10 +479,25 @@ static void plan_entries(struct crt_pass *pass, const struct crt_entries *entrie
     if (pass->feeds > 0)
         crt_plan_brightest(entries, grid, begin, end, pass->receiver + pass->planes,
                            pass->receivers - pass->planes);
-    for (size_t i = 0; i < entries->count; i++) {
-        struct planning planning = {pass, &entries->at[i]};
-        if (crt_drawn_init(&drawn, &entries->at[i], grid, begin, end))
-            crt_plan(&drawn, pass->receiver, pass->receivers, add_piece, &planning);
+    for (size_t i = 0, n; i < entries->count; i += n) {
+        const struct crt_entry *at = &entries->at[i];
+        bool done[CRT_MAX_TARGETS] = {false};
+        n = crt_plan_is_rested(at, entries->count - i, begin, end) ? 3 : 1;
+        if (n == 3) {
+            struct planning planning = {pass, &at[1]};
+            if (!crt_drawn_init(&drawn, &at[1], grid, begin, end))
+                continue;
+            if (drawn.whole)
+                crt_plan_rested(&drawn, at, pass->receiver, pass->receivers, done, add_piece,
+                                &planning);
+        }
+        if (n == 3 && all_done(pass, done))
+            continue;
+        for (size_t k = 0; k < n; k++) {
+            struct planning planning = {pass, &at[k]};
+            if (crt_drawn_init(&drawn, &at[k], grid, begin, end))
+                crt_plan(&drawn, pass->receiver, pass->receivers, done, add_piece, &planning);
+        }
     }
 }
 

@@ -179,8 +179,13 @@ static void locate(const struct crt_drawn *d, uint64_t from, uint64_t to,
 {
     piece->whole = from == d->t0 && to == d->t1;
     double u0 = span(d->t0, from) / span(d->t0, d->t1), u1 = span(d->t0, to) / span(d->t0, d->t1);
-    piece->stretch = (struct crt_stretch){d->x0 + d->dx * u0, d->y0 + d->dy * u0,
-                                          d->x0 + d->dx * u1, d->y0 + d->dy * u1, d->sigma};
+    piece->stretch = (struct crt_stretch){d->x0 + d->dx * u0,
+                                          d->y0 + d->dy * u0,
+                                          d->x0 + d->dx * u1,
+                                          d->y0 + d->dy * u1,
+                                          d->sigma,
+                                          0,
+                                          0};
 }
 
 struct halving {
@@ -208,21 +213,92 @@ static void halve(const struct halving *h, const struct crt_share *share, uint64
     *weight = (struct crt_weight){0};
 }
 
+/* ---- vectors: rest, move, rest --------------------------------------------------------------- */
+
+static bool at_rest(const struct crt_stroke *s, float x, float y)
+{
+    return s->x0 == x && s->y0 == y && s->x1 == x && s->y1 == y;
+}
+
+bool crt_plan_is_rested(const struct crt_entry *at, size_t left, uint64_t from, uint64_t to)
+{
+    if (left < 3)
+        return false;
+    const struct crt_stroke *a = &at[0].stroke, *b = &at[1].stroke, *c = &at[2].stroke;
+    double dx = (double)b->x1 - (double)b->x0, dy = (double)b->y1 - (double)b->y0;
+    return a->t0 >= from && c->t1 <= to && a->t1 == b->t0 && b->t1 == c->t0 &&
+           at_rest(a, b->x0, b->y0) && at_rest(c, b->x1, b->y1) &&
+           at[0].sigma_mm == at[1].sigma_mm && at[2].sigma_mm == at[1].sigma_mm &&
+           at[0].power == at[1].power && at[2].power == at[1].power &&
+           dx * dx + dy * dy > at[1].sigma_mm * at[1].sigma_mm;
+}
+
+/* The share of the three strokes' light as a weight for the moving one, or false when neither a constant
+ * nor a straight line is good enough. While the spot rests the line is off by what it changes meanwhile. */
+static bool weigh_rested(const struct crt_drawn *d, const struct crt_entry *at,
+                         struct crt_receiver *receiver, const struct crt_share *share,
+                         struct crt_weight *weight)
+{
+    uint64_t t0 = at[0].stroke.t0, t1 = at[2].stroke.t1;
+    double moving = crt_seconds(d->t0, d->t1), energy = d->power * moving;
+    double part = moving / crt_seconds(t0, t1);
+    double crest = at[0].crest + at[1].crest + at[2].crest;
+    struct crt_share_fit fit = crt_share_over(share, t0, t1);
+    double own = crest * fit.mean, off_line = fit.off_line + fabs(fit.slope) * (1 - part);
+    bool constant = may_miss(d, receiver, crest * fit.off_constant, own, CRT_OFF_CONSTANT);
+    if (!constant && !may_miss(d, receiver, crest * off_line, own, CRT_OFF_LINE))
+        return false;
+    *weight = (struct crt_weight){0};
+    if (own < CRT_TOO_FAINT)
+        return true;
+    weight->w0 = (float)(energy * fit.mean);
+    weight->w1 = constant ? 0 : (float)(energy * fit.slope * part);
+    return true;
+}
+
+void crt_plan_rested(const struct crt_drawn *line, const struct crt_entry *at,
+                     struct crt_receiver *receivers, int count, bool *done, crt_plan_emit *emit,
+                     void *context)
+{
+    const struct crt_stroke *a = &at[0].stroke, *c = &at[2].stroke;
+    double moving = crt_seconds(line->t0, line->t1);
+    struct crt_piece_plan piece;
+    bool any = false;
+    memset(piece.weight, 0, (size_t)count * sizeof piece.weight[0]);
+    for (int i = 0; i < count; i++) {
+        done[i] = false;
+        for (int k = 0; k < receivers[i].shares && !done[i]; k++) {
+            const struct crt_share *share = &receivers[i].share[k];
+            done[i] = share->from <= a->t0 && share->to >= c->t1 &&
+                      weigh_rested(line, at, &receivers[i], share, &piece.weight[i]);
+        }
+        any |= piece.weight[i].w0 != 0;
+    }
+    if (!any)
+        return;
+    locate(line, line->t0, line->t1, &piece);
+    piece.stretch.rest0 = crt_seconds(a->t0, a->t1) / moving;
+    piece.stretch.rest1 = crt_seconds(c->t0, c->t1) / moving;
+    emit(context, &piece);
+}
+
+/* ---- single strokes -------------------------------------------------------------------------- */
+
 void crt_plan(const struct crt_drawn *d, struct crt_receiver *receivers, int count,
-              crt_plan_emit *emit, void *context)
+              const bool *done, crt_plan_emit *emit, void *context)
 {
     struct crt_piece_plan piece;
     bool joined[CRT_MAX_TARGETS], any = false;
     memset(piece.weight, 0, (size_t)count * sizeof piece.weight[0]);
     /* First what takes the stroke in one piece, all together. */
     for (int i = 0; i < count; i++) {
-        joined[i] = false;
+        joined[i] = done[i];
         for (int k = 0; k < receivers[i].shares && !joined[i]; k++) {
             const struct crt_share *share = &receivers[i].share[k];
             joined[i] = share->from <= d->from && share->to >= d->to &&
                         weigh(d, &receivers[i], share, d->from, d->to, &piece.weight[i]);
         }
-        any |= joined[i] && piece.weight[i].w0 != 0;
+        any |= piece.weight[i].w0 != 0;
     }
     if (any) {
         locate(d, d->from, d->to, &piece);

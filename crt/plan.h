@@ -78,9 +78,21 @@ double crt_plan_crest(const struct crt_entry *entry);
 void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid *grid,
                         uint64_t from, uint64_t to, struct crt_receiver *receivers, int count);
 
-/* Calls emit for each piece, in an order that is each receiver's order of time. */
+/* A spot that rests, moves and rests again, delivered as three strokes: whether entries at[0…2] are that,
+ * wholly between `from` and `to`. */
+bool crt_plan_is_rested(const struct crt_entry *at, size_t left, uint64_t from, uint64_t to);
+
 typedef void crt_plan_emit(void *context, const struct crt_piece_plan *piece);
+
+/* Draws the three as one piece in those receivers for which that is exact enough, which are noted in
+ * `done`; the others want the strokes one by one. `line` is the moving one. */
+void crt_plan_rested(const struct crt_drawn *line, const struct crt_entry *at,
+                     struct crt_receiver *receivers, int count, bool *done, crt_plan_emit *emit,
+                     void *context);
+
+/* Calls emit for each piece of a stroke, in an order that is each receiver's order of time, but for the
+ * receivers already `done`. */
 void crt_plan(const struct crt_drawn *drawn, struct crt_receiver *receivers, int count,
-              crt_plan_emit *emit, void *context);
+              const bool *done, crt_plan_emit *emit, void *context);
 
 #endif

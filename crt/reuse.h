@@ -20,6 +20,7 @@
 
 struct crt_reuse_key {
     uint32_t position[4]; /* the bits of x0, y0, x1, y1 */
+    uint32_t rest[2];     /* the bits of the light at rest at each end */
     uint64_t sigma;       /* the bits of sigma */
     uint64_t moment;      /* whether F1 follows F0 */
 };

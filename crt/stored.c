@@ -50,9 +50,10 @@ static void sum_entries(struct summing *summing, const struct crt_entries *entri
         if (mask >> k & 1)
             crt_share_add(&receiver.share[0], phosphor->term[k].w, phosphor->term[k].tau_s);
     struct crt_drawn drawn;
+    const bool done = false;
     for (size_t i = 0; i < entries->count; i++)
         if (crt_drawn_init(&drawn, &entries->at[i], &tube->desc.grid, begin, end))
-            crt_plan(&drawn, &receiver, 1, sum_piece, summing);
+            crt_plan(&drawn, &receiver, 1, &done, sum_piece, summing);
 }
 
 double crt_pass_stored(const struct crt_tube *tube)

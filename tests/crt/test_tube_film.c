@@ -170,6 +170,24 @@ static struct crt_phosphor phosphor_number(unsigned n)
     }
 }
 
+/* As a vector is drawn: the spot rests for a part of the time, moves, rests. */
+static void add_rested(struct picture *p, struct crt_stroke s, double part)
+{
+    uint64_t rest = (uint64_t)(part * (double)(s.t1 - s.t0));
+    struct crt_stroke start = s, end = s;
+    start.x1 = s.x0;
+    start.y1 = s.y0;
+    end.x0 = s.x1;
+    end.y0 = s.y1;
+    start.t1 = s.t0 = s.t0 + rest;
+    end.t0 = s.t1 = s.t1 - rest;
+    if (rest > 0)
+        add(p, start);
+    add(p, s);
+    if (rest > 0)
+        add(p, end);
+}
+
 /* One random scene; whether it agrees. */
 static double scene(uint32_t *seed, unsigned number, bool talk)
 {
@@ -183,7 +201,11 @@ static double scene(uint32_t *seed, unsigned number, bool talk)
     uint64_t t = (uint64_t)model_uniform(seed, 0, 2e10);
     int strokes = 1 + (int)(model_random(seed) % 40);
     for (int i = 0; i < strokes; i++) {
-        add(p, random_stroke(seed, t, 1.2 * COLS * cell, longest));
+        struct crt_stroke s = random_stroke(seed, t, 1.2 * COLS * cell, longest);
+        if (number % 3 == 1)
+            add_rested(p, s, i % 2 ? 0.01 : 0.2);
+        else
+            add(p, s);
         t = p->strokes[p->count - 1].stroke.t1;
         t += (uint64_t)model_uniform(seed, 0, longest * 1e5);
     }
