@@ -164,7 +164,7 @@ headers:
 	    $(CC) $(CFLAGS) -x c -fsyntax-only - || exit 1; done
 
 format:
-	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) tests/*))
+	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) tests/*) crt/*.inc)
 
 FUZZ_SECONDS ?= 60
 fuzz:
