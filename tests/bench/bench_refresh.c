@@ -10,11 +10,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "display_file/asm.h"
 #include "display_file/df_regs.h"
 #include "emu/machine.h"
+#include "tests/support/bench.h"
 
 #define VECTORS   1000
 #define WARM      20
@@ -22,13 +22,6 @@
 #define BLOCKS    15 /* of which the best and the median are told: the machine is seldom alone */
 #define REFRESHES (BLOCK * BLOCKS)
 #define SETS      (WARM + REFRESHES) /* a changing picture never comes again */
-
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static uint32_t draw_number(uint32_t *seed, uint32_t n)
 {
@@ -64,26 +57,6 @@ static void write_vectors(uint16_t *memory, uint32_t seed, unsigned intensity)
     }
     memory[n++] = DF_JUMP;
     memory[n++] = 0;
-}
-
-/* A plane read and written, a film written: ns a cell. */
-static double floor_ns(size_t cells)
-{
-    float *plane = calloc(cells, sizeof *plane), *film = calloc(cells, sizeof *film);
-    double best = 1e9;
-    for (int round = 0; plane != NULL && film != NULL && round < 20; round++) {
-        double start = seconds();
-        for (size_t i = 0; i < cells; i++) {
-            film[i] = plane[i] * 0.2F;
-            plane[i] = plane[i] * 0.8F + 1e-3F;
-        }
-        __asm__ volatile("" ::"r"(plane), "r"(film) : "memory");
-        double took = seconds() - start;
-        best = took < best ? took : best;
-    }
-    free(plane);
-    free(film);
-    return best * 1e9 / (double)cells;
 }
 
 /* Cells that one refresh from the dark lights. */
@@ -154,7 +127,7 @@ static void refresh(enum crt_simd simd, const char *name, bool changing, unsigne
     size_t lit = 0;
     for (int n = 0; n < WARM + REFRESHES; n++) {
         if (n >= WARM && (n - WARM) % BLOCK == 0) {
-            double now = seconds();
+            double now = bench_seconds();
             if (n > WARM)
                 block[(n - WARM) / BLOCK - 1] = now - start;
             start = now;
@@ -168,10 +141,10 @@ static void refresh(enum crt_simd simd, const char *name, bool changing, unsigne
         if (n <= 2) /* the first refresh that draws; the screen was dark before */
             lit = lit ? lit : lit_cells(&rig.film);
     }
-    block[BLOCKS - 1] = seconds() - start;
+    block[BLOCKS - 1] = bench_seconds() - start;
     qsort(block, BLOCKS, sizeof block[0], by_size);
     double each = block[0] / BLOCK,
-           floor = floor_ns((size_t)rig.film.grid.cols * (size_t)rig.film.grid.rows);
+           floor = bench_floor_ns((size_t)rig.film.grid.cols * (size_t)rig.film.grid.rows);
     printf("refresh: %-8s intensity %u %-8s %4.0f refreshes/s (median %4.0f), %.2f ns per lit cell "
            "(%zu lit; floor %.2f ns)\n",
            changing ? "changing" : "static", intensity, name, 1 / each, BLOCK / block[BLOCKS / 2],
@@ -200,9 +173,9 @@ static void tour(const char *path)
                                               .tick = {60, 1},
                                               .memory_bytes = DF_ADDRESS_SPACE});
     if (vm_machine_load(machine, &program, path, &err)) {
-        double start = seconds();
+        double start = bench_seconds();
         vm_machine_run(machine, 20 * CRT_PS_PER_S);
-        double took = seconds() - start;
+        double took = bench_seconds() - start;
         printf("headless: %-18s %6.0f simulated seconds a second\n", path, 20 / took);
     } else {
         printf("headless: %s\n", err.text);

@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "crt/tube.h"
+#include "tests/support/bench.h"
 #include "tests/support/tube_model.h"
 
 #define VECTORS   1000
@@ -15,14 +15,6 @@
 #define UNITS     1024
 #define SCREEN_MM (9.25 * 25.4)
 #define SIGMA_MM  (0.508 / CRT_WIDTH60_SIGMA)
-
-/* Of this thread, so that other work on the machine does not count. */
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* A refresh's vectors from t0 on: |Δ| <= 100 units on each axis, 2 us + 0.1 us a unit of the
  * longer. */
@@ -56,27 +48,6 @@ static size_t lit_cells(const struct crt_film *film)
     for (size_t i = 0; i < cells; i++)
         lit += film->light[0][i] > 0;
     return lit;
-}
-
-/* Reading and writing what a refresh must: plane read and written, film written; ns a cell. */
-static double floor_ns(size_t cells)
-{
-    static float *plane, *film;
-    if (!plane) {
-        plane = calloc(cells, sizeof *plane);
-        film = calloc(cells, sizeof *film);
-    }
-    double best = 1e9;
-    for (int round = 0; round < 5 && plane && film; round++) {
-        double start = seconds();
-        for (size_t i = 0; i < cells; i++) {
-            film[i] = plane[i] * 0.2F;
-            plane[i] = plane[i] * 0.8F + 1e-3F;
-        }
-        __asm__ volatile("" ::"r"(plane), "r"(film) : "memory");
-        best = fmin(best, seconds() - start);
-    }
-    return best * 1e9 / (double)cells;
 }
 
 struct contest {
@@ -125,12 +96,12 @@ static double refresh(struct contest *c)
     if (!c->changing)
         c->seed = 1;
     make_picture(strokes, t0, &c->seed);
-    double start = seconds();
+    double start = bench_seconds();
     crt_film_open(c->tube, &c->film, t0, t1);
     for (int i = 0; i < VECTORS; i++)
         crt_tube_stroke(c->tube, &strokes[i]);
     crt_tube_advance(c->tube, t1);
-    return seconds() - start;
+    return bench_seconds() - start;
 }
 
 /* One round of a contest. The best of many rounds counts, and the contests take turns, since the
@@ -163,8 +134,8 @@ int main(int argc, char **argv)
         for (int i = 0; i < 4; i++)
             if (contests[i].wanted) {
                 compete(&contests[i]);
-                floor = fmin(floor, floor_ns((size_t)contests[i].desc.grid.cols *
-                                             (size_t)contests[i].desc.grid.rows));
+                floor = fmin(floor, bench_floor_ns((size_t)contests[i].desc.grid.cols *
+                                                   (size_t)contests[i].desc.grid.rows));
             }
     for (int i = 0; i < 4; i++) {
         struct contest *c = &contests[i];
