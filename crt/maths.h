@@ -16,8 +16,8 @@ double crt_expm1(double x);
 double crt_log(double x);
 double crt_pow(double x, double y); /* x >= 0 */
 double crt_erf(double x);
-double crt_erfcx(double x);         /* e^(x²)·erfc(x), x >= -5 */
-double crt_sin(double radians);     /* |radians| < 1e5; absolute error below 4e-15 */
+double crt_erfcx(double x);     /* e^(x²)·erfc(x), x >= -5 */
+double crt_sin(double radians); /* |radians| < 1e5; absolute error below 4e-15 */
 double crt_cos(double radians);
 
 #endif

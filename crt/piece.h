@@ -19,10 +19,10 @@
 #include <stdint.h>
 
 struct crt_stroke {
-    uint64_t t0, t1;       /* ps */
-    float x0, y0, x1, y1;  /* mm */
-    float drive;           /* 0…1 */
-    uint32_t source;       /* display-file byte address */
+    uint64_t t0, t1;      /* ps */
+    float x0, y0, x1, y1; /* mm */
+    float drive;          /* 0…1 */
+    uint32_t source;      /* display-file byte address */
 };
 
 #endif

@@ -17,9 +17,9 @@
 #include "crt/tube.h"
 
 struct crt_spot {
-    double current;  /* 0…1 */
+    double current; /* 0…1 */
     double sigma_mm;
-    double power;    /* cd·mm²/m²: luminance integrated over the spot's area, in the steady state */
+    double power; /* cd·mm²/m²: luminance integrated over the spot's area, in the steady state */
 };
 
 /* Sigma of the spot at vanishing current, best focus. */

@@ -29,7 +29,8 @@
 #define VT11_TIMES                                                                                 \
     .sync = EXACT(60, SYNC), .fetch = FIG(1.5, 1, 3, NO_SOURCE "; other emulators charge 1 to 3"), \
     .vector_setup = FIG(2, 0.5, 5, NO_SOURCE), .vector_unit = FIG(0.10, 0.05, 0.2, NO_SOURCE),     \
-    .vector_rest = FIG(0.1, 0, 0.25, "estimate: the beam is switched a little wider than it moves"), \
+    .vector_rest =                                                                                 \
+        FIG(0.1, 0, 0.25, "estimate: the beam is switched a little wider than it moves"),          \
     .settle = FIG(1, 0.5, 2, "estimate: the VR14 settles in 1 us over 0.1 inch"),                  \
     .settle_unit =                                                                                 \
         FIG(0.018, 0.016, 0.020, "estimate: linear, up to the VR14's 18 us over the full screen"), \
@@ -102,7 +103,8 @@ static const struct crt_tube_row rows[] = {
      .fetch = FIG(1.5, 1, 3, "estimate: driven by the same display processor"),
      .vector_setup = FIG(1, 0.3, 3, "estimate: faster deflection than a magnetic monitor"),
      .vector_unit = FIG(0.05, 0.02, 0.1, "estimate: faster deflection than a magnetic monitor"),
-     .vector_rest = FIG(0.05, 0, 0.15, "estimate: the beam is switched a little wider than it moves"),
+     .vector_rest =
+         FIG(0.05, 0, 0.15, "estimate: the beam is switched a little wider than it moves"),
      .settle = FIG(0.5, 0.2, 1, "estimate: electrostatic deflection"),
      .settle_unit = FIG(0.002, 0.0005, 0.005, "estimate: electrostatic deflection"),
      .settle_max = FIG(2.5, 1, 5, "estimate: electrostatic deflection"),

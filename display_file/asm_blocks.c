@@ -175,7 +175,8 @@ static bool macro_parameters(struct df_asm *as, struct df_macro *macro)
         for (uint32_t i = 0; i < macro->parameter_count; i++) {
             if (df_asm_same(macro->parameters[i].name, macro->parameters[i].length, token->text,
                             token->length)) {
-                df_asm_error(as, token->column, "parameter '%.*s' appears twice",
+                df_asm_error(as, token->column,
+                             "parameter '%.*s' appears twice; expected another name",
                              (int)token->length, token->text);
                 return false;
             }

@@ -174,7 +174,7 @@ static bool compute(struct df_asm *as, const struct df_token *op, double left, d
         break;
     case '/':
         if (b == 0) {
-            df_asm_error(as, op->column, "division by zero");
+            df_asm_error(as, op->column, "division by zero; expected another divisor");
             return false;
         }
         *out = (double)(a / b);

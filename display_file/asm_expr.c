@@ -135,7 +135,7 @@ static bool call(struct df_asm *as, enum function f, uint32_t column, struct df_
     }
     df_lex_next(&as->lex);
     if (value->kind == DF_VALUE_NUMBER && f == F_SQRT && value->number < 0) {
-        df_asm_error(as, column, "square root of a negative number (%.15g)", value->number);
+        df_asm_error(as, column, "square root of %.15g; expected 0 or more", value->number);
         return false;
     }
     if (value->kind == DF_VALUE_NUMBER) {
@@ -352,7 +352,7 @@ static bool compute(struct df_asm *as, const struct df_token *op, double a, doub
 {
     int level = precedence(op);
     if ((op->op == '/' || op->op == '%') && b == 0) {
-        df_asm_error(as, op->column, "division by zero");
+        df_asm_error(as, op->column, "division by zero; expected another divisor");
         return false;
     }
     if (level <= 3 || level == 6) {

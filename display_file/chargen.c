@@ -13,17 +13,13 @@
 
 enum { NUL = 0, BS = 010, LF = 012, CR = 015, SO = 016, SI = 017, SPACE = 040 };
 
-/* One dot in the slot of column c and row r of a cell from t0 to t1. Returns the ps that a pen hit
- * added. */
-static uint64_t dot(struct df_dpu *dpu, int c, int r, int32_t base_y, uint64_t t0, uint64_t t1,
-                    bool *hits)
+/* One dot, lit for at most `lit` ps, in the slot of column c and row r of a cell that takes `cell` ps
+ * from t0. Returns the ps that a pen hit added. */
+static uint64_t dot(struct df_dpu *dpu, int c, int r, int32_t base_y, uint64_t t0, uint64_t cell,
+                    uint64_t lit, bool *hits)
 {
-    const struct df_timing *timing = &dpu->desc.timing;
-    uint64_t cell = t1 - t0, slot = (uint64_t)(c * DF_GLYPH_ROWS + r);
+    uint64_t slot = (uint64_t)(c * DF_GLYPH_ROWS + r);
     uint64_t begin = t0 + cell * slot / CELL_DOTS, end = t0 + cell * (slot + 1) / CELL_DOTS;
-    /* In average mode the cell is stretched or squeezed, and its dots with it. */
-    double stretch = (double)cell / (double)timing->character_ps;
-    uint64_t lit = (uint64_t)((double)timing->dot_ps * stretch);
     int32_t x = dpu->x + DOT_UNITS * c, y = base_y + DOT_UNITS * r;
     double ux = x + 0.5 + (dpu->italics ? DOT_UNITS * r / 3.0 : 0), uy = y + 0.5;
     bool may_hit = *hits && c != 0 && c != DF_GLYPH_COLUMNS - 1;
@@ -43,15 +39,18 @@ static uint64_t dot(struct df_dpu *dpu, int c, int r, int32_t base_y, uint64_t t
 static void draw(struct df_dpu *dpu, const struct df_glyph *glyph, uint64_t t0, uint64_t t1)
 {
     int32_t base_y = dpu->y - (glyph->descends ? DESCENDER_UNITS : 0);
-    uint64_t added = 0;
+    const struct df_timing *timing = &dpu->desc.timing;
+    uint64_t added = 0, lit;
     bool hits = true;
 
-    if (t1 <= t0 || dpu->desc.timing.character_ps == 0)
+    if (t1 <= t0 || timing->character_ps == 0)
         return;
+    /* In average mode the cell is stretched or squeezed, and its dots with it. */
+    lit = (uint64_t)((double)timing->dot_ps * ((double)(t1 - t0) / (double)timing->character_ps));
     for (int c = 0; c < DF_GLYPH_COLUMNS; c++)
         for (int r = 0; r < DF_GLYPH_ROWS; r++)
             if (glyph->column[c] >> r & 1)
-                added += dot(dpu, c, r, base_y, t0 + added, t1 + added, &hits);
+                added += dot(dpu, c, r, base_y, t0 + added, t1 - t0, lit, &hits);
     dpu->clock += added;
 }
 

@@ -59,11 +59,15 @@ enum vm_trouble vm_find_trouble(const struct vm_machine *m, const struct vm_inpu
     }
     if (m->dpu.timeout) {
         uint16_t address = (uint16_t)(m->dpu.dpc - 2);
+        /* Word after word it comes to the first address beyond memory; to others only by a jump. */
+        bool jumped = address != m->desc.memory_bytes;
         crt_fail(
             sentence,
-            "%s runs out of memory: the bus times out at address %06o, and display memory ends at "
-            "%06o; end the display file with a jump or a stop word",
-            input->name, address, m->desc.memory_bytes - 2);
+            "%s %s out of memory: the bus times out at address %06o, and display memory ends at "
+            "%06o; %s",
+            input->name, jumped ? "jumps" : "runs", address, m->desc.memory_bytes - 2,
+            jumped ? "jump to an address within it, or give more with --set memory"
+                   : "end the display file with a jump or a stop word that lies within it");
         return VM_TROUBLE_TIMEOUT;
     }
     if (m->strokes == m->strokes_before) {

@@ -205,6 +205,9 @@ says "illegal word" 1 "illegal word 134000 at address 001006" capture "$work/han
 says "illegal word, headless" 1 "" run "$work/bad.oct" --headless
 printf '@1000\n114000\n040144\n000144\n160000\n040000\n' >"$work/out.oct"
 says "bus time-out" 1 "times out at address 040000" capture "$work/out.oct" --set memory=16K -o "$work/x.png"
+says "words that run out of memory" 1 "runs out of memory: .* stop word" capture "$work/out.oct" --set memory=16K -o "$work/x.png"
+printf '@1000\n114000\n040144\n000144\n160000\n100000\n' >"$work/jump.oct"
+says "a jump out of memory" 1 "jumps out of memory: the bus times out at address 100000" capture "$work/jump.oct" --set memory=16K -o "$work/x.png"
 printf '@7000\n114000\n040144\n000144\n172000\n' >"$work/high.oct"
 says "words beyond memory" 1 "beyond the display memory" capture "$work/high.oct" --set memory=2K -o "$work/x.png"
 says "--base for source" 1 "leave out --base" capture "$star" --base 2000 -o "$work/x.png"
