@@ -2,10 +2,16 @@
 
 #include <math.h>
 
+struct crt_placing crt_screen_placing(const struct crt_screen *s)
+{
+    return (struct crt_placing){s->width_mm / s->units_x, s->height_mm / s->units_y,
+                                s->units_x / 2 - 0.5, s->units_y / 2 - 0.5};
+}
+
 void crt_screen_to_mm(const struct crt_screen *s, double ux, double uy, float *x_mm, float *y_mm)
 {
-    *x_mm = (float)((ux + 0.5 - s->units_x / 2) * s->width_mm / s->units_x);
-    *y_mm = (float)((uy + 0.5 - s->units_y / 2) * s->height_mm / s->units_y);
+    struct crt_placing placing = crt_screen_placing(s);
+    crt_place(&placing, ux, uy, x_mm, y_mm);
 }
 
 void crt_mm_to_units(const struct crt_screen *s, double x_mm, double y_mm, double *ux, double *uy)

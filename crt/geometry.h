@@ -34,6 +34,22 @@ struct crt_grid {
 };
 
 void crt_screen_to_mm(const struct crt_screen *s, double ux, double uy, float *x_mm, float *y_mm);
+
+/* The same for many points: what does not depend on the point, worked out once. */
+struct crt_placing {
+    double pitch_x, pitch_y;   /* mm a unit */
+    double middle_x, middle_y; /* head units of the screen's centre */
+};
+
+struct crt_placing crt_screen_placing(const struct crt_screen *s);
+
+static inline void crt_place(const struct crt_placing *p, double ux, double uy, float *x_mm,
+                             float *y_mm)
+{
+    *x_mm = (float)((ux - p->middle_x) * p->pitch_x);
+    *y_mm = (float)((uy - p->middle_y) * p->pitch_y);
+}
+
 void crt_mm_to_units(const struct crt_screen *s, double x_mm, double y_mm, double *ux, double *uy);
 
 /* Continuous cell coordinates: the centre of cell (c, r) is (c, r) exactly. */

@@ -10,17 +10,17 @@
 static void make_stroke(const struct df_dpu *dpu, const struct df_stretch *s, unsigned level,
                         struct crt_stroke *stroke)
 {
-    const struct crt_screen *screen = &dpu->desc.screen;
+    const struct crt_placing *placing = &dpu->placing;
     bool still = s->x0 == s->x1 && s->y0 == s->y1;
     float x, y;
 
     /* In this order nothing is read back as a whole that has just been stored in parts, which
      * would cost a stall or two a dot. */
-    crt_screen_to_mm(screen, s->x0, s->y0, &x, &y);
+    crt_place(placing, s->x0, s->y0, &x, &y);
     stroke->x0 = stroke->x1 = x;
     stroke->y0 = stroke->y1 = y;
     if (!still)
-        crt_screen_to_mm(screen, s->x1, s->y1, &stroke->x1, &stroke->y1);
+        crt_place(placing, s->x1, s->y1, &stroke->x1, &stroke->y1);
     stroke->t0 = s->t0;
     stroke->t1 = s->t1;
     stroke->drive = (float)dpu->desc.drive[level];

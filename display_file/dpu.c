@@ -95,6 +95,7 @@ void df_dpu_init(struct df_dpu *dpu, const struct df_dpu_desc *desc)
     limit_timing(&dpu->desc.timing);
     dpu->max_x = last_unit(desc->screen.units_x);
     dpu->max_y = last_unit(desc->screen.units_y);
+    dpu->placing = crt_screen_placing(&desc->screen);
     df_dpu_reset(dpu, 0);
 }
 
@@ -106,6 +107,7 @@ void df_dpu_reset(struct df_dpu *dpu, uint64_t t)
     fresh.desc = dpu->desc;
     fresh.max_x = dpu->max_x;
     fresh.max_y = dpu->max_y;
+    fresh.placing = dpu->placing;
     fresh.t = later(dpu->t, t);
     fresh.state = DF_STOPPED;
     fresh.mode = DF_MODE_CHAR;

@@ -126,7 +126,8 @@ struct df_dpu {
     bool stopping;       /* a pen hit with its interrupt enabled happened in this action */
 
     /* generators (vecgen.c, chargen.c) */
-    int32_t max_x, max_y; /* the last units on screen */
+    int32_t max_x, max_y;       /* the last units on screen */
+    struct crt_placing placing; /* head units to millimetres */
     struct df_pending_vector vector;
     struct df_pending_character second;
 };
