@@ -8,6 +8,7 @@
  * Sources:    each row names its own; `made_from` tells which published persistence the terms were
  *             fitted to, since figures for one P-number differ by up to a factor of 1000.
  * Ownership:  built-in rows are constant; rows from an INI file belong to the table that read them.
+ * Errors:     a name that is not there gives NULL; nothing else can fail.
  * Not modelled: saturation, burn-in, dependence of decay on excitation and temperature.
  */
 #ifndef CRT_PHOSPHOR_H

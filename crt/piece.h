@@ -11,6 +11,9 @@
  * Drive:      0…1 of the grid's full drive, before front-panel knobs and the gun's power law,
  *             which belong to the tube (crt/spot.h).
  * Source:     where the light came from: the display-file byte address of the word that drew it.
+ * A vector: three pieces, at rest where it starts, moving, at rest where it ends.
+ * Ownership:  plain values, copied by whoever keeps them.
+ * Errors:     none here; the tube asserts the order (crt/tube.h), a reader of files refuses it.
  * Not modelled here: scan lines (many drive samples a piece) and beam voltage.
  */
 #ifndef CRT_PIECE_H

@@ -183,5 +183,9 @@ int vm_print_summary(FILE *out, const struct vm_time *length, const struct vm_se
         !measure(s, input, DF_TIMING_HIGH, ps, &high, err))
         return 1;
     print_all(out, s, input, &m, &low, &high);
+    if (m.strokes == 0) {
+        crt_fail(err, "%s never lights the beam in the time measured", input->name);
+        return 1;
+    }
     return 0;
 }

@@ -215,6 +215,7 @@ head -c 2000 /dev/zero >"$work/zeros.bin"
 says "raw image of zeros" 1 "lights the beam|times out|does not light" capture "$work/zeros.bin" --base 0 -o "$work/x.png"
 printf '@1000\n164000\n160000\n001000\n' >"$work/loop.oct"
 says "loop without beam" 1 "never lights the beam: it goes round" capture "$work/loop.oct" -o "$work/x.png"
+says "summary of a loop without beam" 1 "never lights the beam" trace "$work/loop.oct" --summary
 printf '@1000\n172000\n' >"$work/dark.oct"
 says "stop without beam" 1 "never lights the beam: it runs" capture "$work/dark.oct" -o "$work/x.png"
 says "light that has faded" 1 "black" capture "$square" --on-stop halt --phosphor P31 --at 20s --film -o "$work/x.png"
