@@ -153,25 +153,33 @@ static bool may_miss(const struct crt_drawn *d, struct crt_receiver *receiver, d
     return true;
 }
 
-/* The share over [from, to) as a weight, or false when a straight line is not good enough. */
+/* The fit as a weight, or false when neither a constant nor a straight line is good enough. `crest` is that
+ * of all the light, `part` the part of the time during which the spot moves. */
+static bool weigh_fit(const struct crt_drawn *d, struct crt_receiver *receiver,
+                      const struct crt_share_fit *fit, double crest, double energy, double part,
+                      bool instant, struct crt_weight *weight)
+{
+    double own = crest * fit->mean;
+    bool constant =
+        !d->moving || may_miss(d, receiver, crest * fit->off_constant, own, CRT_OFF_CONSTANT);
+    if (!constant && !instant && !may_miss(d, receiver, crest * fit->off_line, own, CRT_OFF_LINE))
+        return false;
+    *weight = (struct crt_weight){0};
+    if (own < CRT_TOO_FAINT)
+        return true;
+    weight->w0 = (float)(energy * fit->mean);
+    weight->w1 = constant ? 0 : (float)(energy * fit->slope * part);
+    return true;
+}
+
+/* The share over [from, to) of one stroke. */
 static bool weigh(const struct crt_drawn *d, struct crt_receiver *receiver,
                   const struct crt_share *share, uint64_t from, uint64_t to,
                   struct crt_weight *weight)
 {
     struct crt_share_fit fit = crt_share_over(share, from, to);
-    double energy = d->power * crt_seconds(from, to), own = d->crest * fit.mean;
-    bool constant =
-        !d->moving || may_miss(d, receiver, d->crest * fit.off_constant, own, CRT_OFF_CONSTANT);
-    bool line = constant || to - from < 2 ||
-                may_miss(d, receiver, d->crest * fit.off_line, own, CRT_OFF_LINE);
-    if (!line)
-        return false;
-    *weight = (struct crt_weight){0};
-    if (own < CRT_TOO_FAINT)
-        return true;
-    weight->w0 = (float)(energy * fit.mean);
-    weight->w1 = constant ? 0 : (float)(energy * fit.slope);
-    return true;
+    double energy = d->power * crt_seconds(from, to);
+    return weigh_fit(d, receiver, &fit, d->crest, energy, 1, to - from < 2, weight);
 }
 
 static void locate(const struct crt_drawn *d, uint64_t from, uint64_t to,
@@ -233,27 +241,18 @@ bool crt_plan_is_rested(const struct crt_entry *at, size_t left, uint64_t from, 
            dx * dx + dy * dy > at[1].sigma_mm * at[1].sigma_mm;
 }
 
-/* The share of the three strokes' light as a weight for the moving one, or false when neither a constant
- * nor a straight line is good enough. While the spot rests the line is off by what it changes meanwhile. */
+/* The share of the three strokes' light, as a weight for the moving one. While the spot rests a straight line
+ * is off by what it changes meanwhile. */
 static bool weigh_rested(const struct crt_drawn *d, const struct crt_entry *at,
                          struct crt_receiver *receiver, const struct crt_share *share,
                          struct crt_weight *weight)
 {
     uint64_t t0 = at[0].stroke.t0, t1 = at[2].stroke.t1;
-    double moving = crt_seconds(d->t0, d->t1), energy = d->power * moving;
-    double part = moving / crt_seconds(t0, t1);
+    double moving = crt_seconds(d->t0, d->t1), part = moving / crt_seconds(t0, t1);
     double crest = at[0].crest + at[1].crest + at[2].crest;
     struct crt_share_fit fit = crt_share_over(share, t0, t1);
-    double own = crest * fit.mean, off_line = fit.off_line + fabs(fit.slope) * (1 - part);
-    bool constant = may_miss(d, receiver, crest * fit.off_constant, own, CRT_OFF_CONSTANT);
-    if (!constant && !may_miss(d, receiver, crest * off_line, own, CRT_OFF_LINE))
-        return false;
-    *weight = (struct crt_weight){0};
-    if (own < CRT_TOO_FAINT)
-        return true;
-    weight->w0 = (float)(energy * fit.mean);
-    weight->w1 = constant ? 0 : (float)(energy * fit.slope * part);
-    return true;
+    fit.off_line += fabs(fit.slope) * (1 - part);
+    return weigh_fit(d, receiver, &fit, crest, d->power * moving, part, false, weight);
 }
 
 void crt_plan_rested(const struct crt_drawn *line, const struct crt_entry *at,
