@@ -7,19 +7,7 @@ top=$PWD
 work=$TEST_OUT/layers
 rm -rf "$work"
 mkdir -p "$work"
-number=0
-failed=0
-
-report() { # STATUS NAME
-    number=$((number + 1))
-    if [ "$1" -eq 0 ]; then
-        echo "ok $number - $2"
-    else
-        echo "not ok $number - $2; it said:"
-        sed 's/^/#   /' "$work/said"
-        failed=1
-    fi
-}
+. tests/support/tap.sh
 
 # A fresh copy with FILE that holds one line.
 tree() { # FILE LINE
