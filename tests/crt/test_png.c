@@ -17,6 +17,7 @@
 #include <png.h>
 
 #include "crt/png_file.h"
+#include "tests/support/png_crc.h"
 
 /* A file in memory. */
 struct bytes {
@@ -363,17 +364,6 @@ static void damaged_files_are_refused_or_read_whole(void **state)
     free(png.data);
 }
 
-static uint32_t crc32_of(const uint8_t *data, size_t count)
-{
-    uint32_t crc = 0xffffffffu;
-    for (size_t i = 0; i < count; i++) {
-        crc ^= data[i];
-        for (int k = 0; k < 8; k++)
-            crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
-    }
-    return ~crc;
-}
-
 static void put_number(uint8_t *at, uint32_t n)
 {
     for (int i = 0; i < 4; i++)
@@ -392,7 +382,7 @@ static void giant_and_empty_sizes_are_refused(void **state)
         struct crt_error err = {""};
         put_number(png.data + 16, sizes[i][0]);
         put_number(png.data + 20, sizes[i][1]);
-        put_number(png.data + 29, crc32_of(png.data + 12, 17));
+        put_number(png.data + 29, png_crc(png.data + 12, 17));
         assert_false(read_bytes(png.data, png.count, &image, &err));
     }
     /* The largest allowed, cut short: refused for its missing rows. */
@@ -400,7 +390,7 @@ static void giant_and_empty_sizes_are_refused(void **state)
     struct crt_error err = {""};
     put_number(png.data + 16, 16384);
     put_number(png.data + 20, 1024);
-    put_number(png.data + 29, crc32_of(png.data + 12, 17));
+    put_number(png.data + 29, png_crc(png.data + 12, 17));
     assert_false(read_bytes(png.data, png.count, &image, &err));
     assert_non_null(strstr(err.text, "not a PNG that can be read"));
     free(png.data);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "crt/png_file.h"
+#include "tests/support/png_crc.h"
 
 static void require(int holds)
 {
@@ -44,17 +45,6 @@ static void check_round_trip(const struct crt_image *image)
     free(bytes);
 }
 
-static uint32_t check_sum(const uint8_t *data, size_t count)
-{
-    uint32_t crc = 0xffffffffu;
-    for (size_t i = 0; i < count; i++) {
-        crc ^= data[i];
-        for (int k = 0; k < 8; k++)
-            crc = crc >> 1 ^ (crc & 1 ? 0xedb88320u : 0);
-    }
-    return ~crc;
-}
-
 static void put_check_sums_right(uint8_t *data, size_t size)
 {
     for (size_t at = 8; at + 12 <= size;) {
@@ -62,7 +52,7 @@ static void put_check_sums_right(uint8_t *data, size_t size)
                         (size_t)data[at + 2] << 8 | data[at + 3];
         if (length > size - at - 12)
             return;
-        uint32_t crc = check_sum(data + at + 4, length + 4);
+        uint32_t crc = png_crc(data + at + 4, length + 4);
         for (int i = 0; i < 4; i++)
             data[at + 8 + length + (size_t)i] = (uint8_t)(crc >> (24 - 8 * i));
         at += 12 + length;

@@ -32,6 +32,15 @@ struct dpu_watch {
         }                                                                                          \
     } while (0)
 
+/* Times of about a VT11's, with rests. By name: a field that is added cannot shift the others. */
+#define DPU_WATCH_TIMING                                                                           \
+    {                                                                                              \
+        .fetch_ps = 1500000, .vector_setup_ps = 2000000, .vector_unit_ps = 100000,                 \
+        .vector_rest_ps = 100000, .settle_ps = 1000000, .settle_unit_ps = 18000,                   \
+        .settle_max_ps = 18000000, .point_ps = 1000000, .character_ps = 15000000,                  \
+        .dot_ps = 250000, .intensify_ps = 20000000                                                 \
+    }
+
 /* xorshift64*: the same numbers everywhere. */
 static inline uint64_t dpu_random(uint64_t *state)
 {
