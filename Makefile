@@ -16,8 +16,9 @@ ARCH := $(shell $(CC) -dumpmachine 2>/dev/null | cut -d- -f1)
 # ---- what the project is made of --------------------------------------------------------------
 
 FOLDERS   := crt display_file raster input emu
-HEADERS   := $(foreach d,$(FOLDERS),$(wildcard $(d)/*.h))
-SOURCES   := $(filter-out emu/main.c,$(foreach d,$(FOLDERS),$(wildcard $(d)/*.c)))
+EMU_PARTS := emu/cpu emu/board emu/debug
+HEADERS   := $(foreach d,$(FOLDERS) $(EMU_PARTS),$(wildcard $(d)/*.h))
+SOURCES   := $(filter-out emu/main.c,$(foreach d,$(FOLDERS) $(EMU_PARTS),$(wildcard $(d)/*.c)))
 ifneq ($(ARCH),x86_64)
 SOURCES   := $(filter-out %_avx2.c,$(SOURCES))
 endif
@@ -164,7 +165,7 @@ headers:
 	    $(CC) $(CFLAGS) -x c -fsyntax-only - || exit 1; done
 
 format:
-	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) tests/*) crt/*.inc)
+	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) $(EMU_PARTS) tests/*) crt/*.inc emu/cpu/*.inc)
 
 FUZZ_SECONDS ?= 60
 fuzz:

@@ -25,7 +25,7 @@ flags="-std=c11 -D_POSIX_C_SOURCE=200809L -DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUC
 
 # Objects are rebuilt when the source, any header or this script (the flags) is newer: there is no make
 # in between.
-newest_header=$(ls -t crt/*.h display_file/*.h emu/*.h raster/*.h input/*.h tests/support/*.h 2>/dev/null | head -n 1)
+newest_header=$(ls -t crt/*.h display_file/*.h emu/*.h emu/*/*.h raster/*.h input/*.h tests/support/*.h 2>/dev/null | head -n 1)
 object() { # SOURCE EXTRA-FLAGS
     o="$out/$1.o"
     if [ ! -f "$o" ] || [ "$1" -nt "$o" ] || [ "$newest_header" -nt "$o" ] || [ "$0" -nt "$o" ]; then
@@ -36,7 +36,7 @@ object() { # SOURCE EXTRA-FLAGS
 }
 
 # The device folders and what emu/ has besides main() and windows; unused members are left out by the linker.
-sources=$(ls crt/*.c display_file/*.c raster/*.c input/*.c emu/*.c 2>/dev/null | grep -v '^emu/main\.c$')
+sources=$(ls crt/*.c display_file/*.c raster/*.c input/*.c emu/*.c emu/*/*.c 2>/dev/null | grep -v '^emu/main\.c$')
 [ "$(uname -m)" = x86_64 ] || sources=$(echo "$sources" | grep -v '_avx2\.c$')
 objects=
 for source in $sources; do

@@ -2,6 +2,7 @@
 # layers.sh — includes go one way:
 #
 #   roms -> only *_regs.h and memmap.h;   emu -> display_file, raster, input -> crt;   tests -> anything
+#   within emu: emu/cpu knows no other folder but crt, emu/board only emu/cpu, emu/debug both and emu
 #
 # and only the GLFW, OSMesa and EGL files touch a window system.
 set -eu
@@ -9,20 +10,23 @@ bad=$(
     # allowed FOLDER 'regex of folders it may include from'
     allowed() {
         grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' "$1"/*.[ch] "$1"/*.inc 2>/dev/null |
-            grep -vE "\"($2)/" || true
+            grep -vE "\"($2)(/|\")" || true
     }
     allowed crt 'crt'
     allowed display_file 'display_file|crt'
     allowed raster 'raster|crt'
     allowed input 'input|crt'
     allowed emu 'emu|display_file|raster|input|crt'
+    allowed emu/cpu 'emu/cpu|crt'
+    allowed emu/board 'emu/board|emu/cpu|emu/memmap\.h|crt'
+    allowed emu/debug 'emu|display_file|crt'
     grep -rnE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' roms --include='*.[chS]' 2>/dev/null |
         grep -vE '"(roms/|[a-z_/]*_regs\.h|emu/memmap\.h)' || true
     # A path that goes up hides where it leads.
-    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"[^"]*\.\./' ./*/*.[ch] ./*/*.inc 2>/dev/null |
+    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"[^"]*\.\./' ./*/*.[ch] ./*/*.inc ./emu/*/*.[ch] ./emu/*/*.inc 2>/dev/null |
         sed 's|^\./||' || true
     grep -nE '#[[:space:]]*include[[:space:]]+<(GLFW|EGL|GL|X11|wayland[a-z-]*)[/.]' crt/*.[ch] \
-        display_file/*.[ch] raster/*.[ch] input/*.[ch] emu/*.[ch] 2>/dev/null |
+        display_file/*.[ch] raster/*.[ch] input/*.[ch] emu/*.[ch] emu/*/*.[ch] 2>/dev/null |
         grep -vE '^(crt/gl_context_[a-z]+\.c|crt/gl_api\.[ch]|emu/window[a-z_]*\.c):' || true
 )
 if [ -n "$bad" ]; then

@@ -16,6 +16,7 @@ tree() { # FILE LINE
     for folder in crt display_file raster input emu; do
         [ -d "$top/$folder" ] && cp -R "$top/$folder" "$work/tree/"
     done
+    mkdir -p "$(dirname "$work/tree/$1")"
     echo "$2" >"$work/tree/$1"
 }
 check() { (cd "$work/tree" && sh "$script") >"$work/said" 2>&1; }
@@ -36,6 +37,14 @@ good display_file/a.c '#include "crt/tube.h"'
 good emu/a.c '#include "display_file/dpu.h"'
 good emu/a.c '#include <stdio.h>'
 good roms/a.c '#include "display_file/df_regs.h"'
+good emu/cpu/a.c '#include "crt/error.h"'
+good emu/board/a.c '#include "emu/memmap.h"'
+good emu/debug/a.c '#include "emu/machine.h"'
+bad emu/cpu/a.c '#include "emu/board/bus.h"'
+bad emu/cpu/a.inc '#include "emu/machine.h"'
+bad emu/board/a.h '#include "emu/machine.h"'
+bad emu/board/a.c '#include "display_file/dpu.h"'
+bad emu/debug/a.c '#include <GLFW/glfw3.h>'
 bad crt/a.c '#include "display_file/dpu.h"'
 bad crt/a.c '#include "emu/machine.h"'
 bad crt/a.c '#include "tube.h"'
