@@ -28,6 +28,7 @@ struct df_program {
     uint32_t high;  /* the one after the last; low == high: empty */
     uint32_t entry; /* where DPC starts */
     char tube[40];  /* what it was made for: TUBE or TUBE/PHOSPHOR; "": it does not say */
+    char firmware[64]; /* file, relative to the source, of what runs it; "": the stand-in does */
 };
 
 bool df_program_init(struct df_program *p, struct crt_error *err);
