@@ -82,24 +82,32 @@ static bool answer(struct vm_board *board, uint64_t next, bool answered)
     return answered;
 }
 
+/* Room in the receiver is an event for whoever has input for it. */
+static bool answer_uart(struct vm_board *board, uint64_t next, uint64_t ready, bool answered)
+{
+    if (vm_uart_ready_at(&board->uart) != ready)
+        rv_attention(&board->cpu);
+    return answer(board, next, answered);
+}
+
 static bool uart_read(void *ctx, uint32_t offset, unsigned width, uint32_t *value)
 {
     struct vm_board *b = ctx;
-    uint64_t next = vm_board_next(b);
+    uint64_t next = vm_board_next(b), ready = vm_uart_ready_at(&b->uart);
     bool answered = vm_uart_read(&b->uart, offset, value, vm_board_now(b));
 
     (void)width;
-    return answer(b, next, answered);
+    return answer_uart(b, next, ready, answered);
 }
 
 static bool uart_write(void *ctx, uint32_t offset, unsigned width, uint32_t value)
 {
     struct vm_board *b = ctx;
-    uint64_t next = vm_board_next(b);
+    uint64_t next = vm_board_next(b), ready = vm_uart_ready_at(&b->uart);
     bool answered = vm_uart_write(&b->uart, offset, value, vm_board_now(b));
 
     (void)width;
-    return answer(b, next, answered);
+    return answer_uart(b, next, ready, answered);
 }
 
 static bool clint_read(void *ctx, uint32_t offset, unsigned width, uint32_t *value)
