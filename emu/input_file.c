@@ -167,9 +167,9 @@ static bool load_beside(struct vm_input *in, const char *path, const char *optio
         return load_firmware(in, option, err);
     if (!in->program.firmware[0])
         return true;
-    if ((size_t)folder + sizeof in->program.firmware >= sizeof beside)
+    if ((size_t)folder + sizeof in->program.firmware + sizeof ".elf" >= sizeof beside)
         return crt_fail(err, "the name %.60s... is too long", path);
-    snprintf(beside, sizeof beside, "%.*s%s", folder, path, in->program.firmware);
+    snprintf(beside, sizeof beside, "%.*s%s.elf", folder, path, in->program.firmware);
     return load_firmware(in, beside, err);
 }
 
