@@ -26,7 +26,7 @@ void crt_state_free(struct crt_state *s)
 
 /* ---- bytes ------------------------------------------------------------------------------------ */
 
-static void fail(struct crt_state *s, const char *sentence)
+void crt_state_fail(struct crt_state *s, const char *sentence)
 {
     if (!s->failed)
         crt_fail(&s->err, "%s", sentence);
@@ -44,7 +44,7 @@ static uint8_t *add(struct crt_state *s, size_t size)
             room *= 2;
         uint8_t *out = room - s->size < size ? NULL : realloc(s->out, room);
         if (!out) {
-            fail(s, "not enough memory for a snapshot; close other programs");
+            crt_state_fail(s, "not enough memory for a snapshot; close other programs");
             return NULL;
         }
         s->out = out;
@@ -59,7 +59,7 @@ static const uint8_t *take(struct crt_state *s, size_t size)
 {
     size_t end = s->open ? s->section : s->in_size;
     if (!s->failed && size > end - s->at)
-        fail(s, "the snapshot ends too early");
+        crt_state_fail(s, "the snapshot ends too early");
     if (s->failed)
         return NULL;
     s->at += size;
@@ -302,7 +302,7 @@ static void begin_loading(struct crt_state *s, uint32_t version)
                  s->tag, (unsigned long)found, (unsigned long)version);
         s->failed = true;
     } else if (length > s->in_size - s->at) {
-        fail(s, "the snapshot ends too early");
+        crt_state_fail(s, "the snapshot ends too early");
     } else {
         s->section = s->at + (size_t)length;
         s->open = true;

@@ -63,6 +63,9 @@ void crt_state_size(struct crt_state *s, size_t *v, size_t most);
 void crt_state_unsigned(struct crt_state *s, unsigned *v, unsigned most);
 /* An enum by pointer to int-sized storage is not portable: copy through an unsigned. */
 
+/* Fails with the sentence, unless it has failed before. */
+void crt_state_fail(struct crt_state *s, const char *sentence);
+
 /* Fails with "the snapshot's WHAT is impossible" when `ok` is false. Returns whether all is well. */
 bool crt_state_check(struct crt_state *s, bool ok, const char *what);
 
