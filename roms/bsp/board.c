@@ -1,6 +1,7 @@
 #include "roms/bsp/board.h"
 
 #include "emu/memmap.h"
+#include "roms/bsp/console.h"
 
 static volatile uint32_t *identity(uint32_t offset)
 {
@@ -65,6 +66,7 @@ void board_exit(int status)
     uint32_t code = (uint32_t)status & 0xFF;
     if (status != 0 && code == 0)
         code = 0xFF;
+    console_drain(); /* what is still being sent would be lost */
     *finisher = code == 0 ? FINISHER_PASS : code << 16 | FINISHER_FAIL;
     for (;;)
         __asm__ volatile("wfi");

@@ -36,6 +36,12 @@ void console_hex(uint32_t value)
         console_put("0123456789abcdef"[value >> shift & 15]);
 }
 
+void console_drain(void)
+{
+    while ((*uart(UART_LSR) & UART_LSR_IDLE) == 0)
+        continue;
+}
+
 int console_poll(void)
 {
     return *uart(UART_LSR) & UART_LSR_RECEIVED ? *uart(UART_RBR) : -1;

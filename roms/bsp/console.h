@@ -25,6 +25,9 @@ void console_write(const char *text);
 /* Eight hexadecimal digits. */
 void console_hex(uint32_t value);
 
+/* Waits until everything is sent. */
+void console_drain(void);
+
 /* The next byte of input, or -1 when none is there yet. */
 int console_poll(void);
 /* The next byte of input. */

@@ -17,5 +17,6 @@
 #define UART_LSR_RECEIVED 0x01 /* a byte waits in RBR */
 #define UART_LSR_OVERRUN  0x02 /* one was lost */
 #define UART_LSR_EMPTY    0x20 /* THR takes a byte */
+#define UART_LSR_IDLE     0x40 /* all that was written is sent */
 
 #endif
