@@ -100,11 +100,11 @@ struct rv_cpu {
 
     /* How it is done; not part of the machine's state. */
     struct rv_entry *entries;
+    uint8_t *decoded; /* a page of 4096 bytes each: 1 when it has decoded words */
     struct rv_range rom[RV_MAX_ROM];
     int rom_count;
-    uint32_t store_low, store_size; /* where a store needs no second look */
+    uint32_t store_low, store_size; /* where a store needs no second look, from memory_base */
     bool attention;
-    uint8_t float_host;             /* floats may take the short way (rv_float.h) */
 };
 
 /* False: out of memory for the cache. Resets. */
