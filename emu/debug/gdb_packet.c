@@ -77,7 +77,7 @@ static void first_digit(struct vm_gdb_receiver *r, uint8_t byte)
     int digit = digit_of(byte);
     r->state = VM_GDB_IN_SUM_2;
     r->stated_digits = digit >= 0;
-    r->stated = digit < 0 ? 0 : (uint8_t)(digit << 4);
+    r->stated = (uint8_t)(digit < 0 ? 0 : digit << 4);
 }
 
 static enum vm_gdb_event second_digit(struct vm_gdb_receiver *r, uint8_t byte)
