@@ -6,6 +6,8 @@
 
 #include "emu/memmap.h"
 
+void rv_state(struct rv_cpu *cpu, struct crt_state *s);
+
 /* ---- time ------------------------------------------------------------------------------------------ */
 
 uint64_t vm_board_time(const struct vm_board *board, uint64_t cycle)
@@ -273,9 +275,19 @@ static void load_segment(struct vm_board *b, const struct vm_elf_segment *segmen
     (void)room;
 }
 
+/* Pages that are 0 already are only read: the host need not provide them. */
+static void clear_memory(struct vm_board *b)
+{
+    static const uint8_t zero[4096];
+
+    for (size_t at = 0; at < MAP_PROGRAM_SIZE; at += sizeof zero)
+        if (memcmp(b->memory + at, zero, sizeof zero) != 0)
+            memset(b->memory + at, 0, sizeof zero);
+}
+
 void vm_board_load(struct vm_board *board, const struct vm_elf *elf)
 {
-    memset(board->memory, 0, MAP_PROGRAM_SIZE);
+    clear_memory(board);
     rv_writable(&board->cpu);
     reset(board);
     for (int i = 0; i < elf->segments; i++)

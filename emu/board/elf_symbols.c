@@ -82,7 +82,7 @@ static const char *name_at(const struct tables *t, uint32_t offset)
     return readable(t->names + offset) ? t->names + offset : NULL;
 }
 
-/* What has no size reaches to the end of its section. */
+/* Within its section; what has no size reaches to the end of that. */
 static bool extent(const struct tables *t, const uint8_t *s, struct vm_elf_symbol *symbol)
 {
     unsigned index = elf_u16(s + ST_SHNDX);
@@ -94,10 +94,10 @@ static bool extent(const struct tables *t, const uint8_t *s, struct vm_elf_symbo
     begin = elf_u32(t->section + index * SHDR_SIZE + SH_ADDR);
     end = (uint64_t)begin + elf_u32(t->section + index * SHDR_SIZE + SH_SIZE);
     symbol->address = elf_u32(s + ST_VALUE);
-    if (size > 0)
-        end = (uint64_t)symbol->address + size;
     if (symbol->address < begin || symbol->address >= end || end > UINT32_MAX)
         return false;
+    if (size > 0 && size < end - symbol->address)
+        end = symbol->address + size;
     symbol->end = (uint32_t)end;
     return true;
 }

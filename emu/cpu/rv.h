@@ -107,7 +107,6 @@ struct rv_cpu {
     int rom_count;
     uint32_t store_low, store_size; /* where a store needs no second look, from memory_base */
     bool attention;
-    uint8_t float_host; /* floats may take the short way (rv_float_fast.h) */
 };
 
 /* False: out of memory for the cache. Resets. */

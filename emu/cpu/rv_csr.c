@@ -202,7 +202,6 @@ static bool write_float(struct rv_cpu *cpu, unsigned csr, uint32_t value)
     if (csr != FFLAGS)
         cpu->frm = (csr == FRM ? value : value >> 5) & 7;
     cpu->mstatus |= RV_MSTATUS_FS;
-    rv_float_mode(cpu);
     return true;
 }
 

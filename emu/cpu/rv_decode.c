@@ -96,21 +96,99 @@ static struct rv_entry decode_store(const struct rv_cpu *cpu, uint32_t word)
     return make((enum rv_op)ops[rv_funct3(word)], word, 0, rv_imm_s(word) - cpu->desc.memory_base);
 }
 
+/* The dynamic rounding mode is looked at by the loops' choice of handlers, which nearest even suits,
+ * too. */
+static bool host_rounds(uint32_t word)
+{
+    return rv_funct3(word) == RV_DYN || rv_funct3(word) == RV_RNE;
+}
+
+/* The third register in imm. */
+static struct rv_entry decode_fused(uint32_t word)
+{
+    unsigned op = RV_DO_SLOW;
+    if (rv_field(word, 25, 2) != 0 || !host_rounds(word))
+        return SLOW;
+    switch (rv_opcode(word)) {
+    case RV_MADD:
+        op = RV_DO_FMADD;
+        break;
+    case RV_MSUB:
+        op = RV_DO_FMSUB;
+        break;
+    case RV_NMSUB:
+        op = RV_DO_FNMSUB;
+        break;
+    default:
+        op = RV_DO_FNMADD;
+        break;
+    }
+    return make((enum rv_op)op, word, (uint8_t)rv_rd(word), rv_rs3(word));
+}
+
+static struct rv_entry decode_arithmetic(uint32_t word)
+{
+    unsigned op = RV_DO_SLOW;
+    switch (rv_funct7(word)) {
+    case RV_FP_ADD:
+        op = RV_DO_FADD;
+        break;
+    case RV_FP_SUB:
+        op = RV_DO_FSUB;
+        break;
+    case RV_FP_MUL:
+        op = RV_DO_FMUL;
+        break;
+    case RV_FP_DIV:
+        op = RV_DO_FDIV;
+        break;
+    case RV_FP_SQRT:
+        op = rv_rs2(word) == 0 ? RV_DO_FSQRT : RV_DO_SLOW;
+        break;
+    }
+    return host_rounds(word) ? make((enum rv_op)op, word, (uint8_t)rv_rd(word), 0) : SLOW;
+}
+
+static struct rv_entry decode_convert(uint32_t word)
+{
+    unsigned to_unsigned = rv_rs2(word);
+    if (to_unsigned > 1)
+        return SLOW;
+    if (rv_funct7(word) == RV_FP_TO_INT)
+        return rv_funct3(word) == RV_RTZ
+                   ? make(to_unsigned ? RV_DO_FCVT_WU_S : RV_DO_FCVT_W_S, word, x_out(word), 0)
+                   : SLOW;
+    return host_rounds(word)
+               ? make(to_unsigned ? RV_DO_FCVT_S_WU : RV_DO_FCVT_S_W, word, (uint8_t)rv_rd(word), 0)
+               : SLOW;
+}
+
 static struct rv_entry decode_float(uint32_t word)
 {
     static const uint8_t signs[8] = {RV_DO_FSGNJ, RV_DO_FSGNJN, RV_DO_FSGNJX, RV_DO_SLOW,
                                      RV_DO_SLOW,  RV_DO_SLOW,   RV_DO_SLOW,   RV_DO_SLOW};
+    static const uint8_t min_max[8] = {RV_DO_FMIN, RV_DO_FMAX, RV_DO_SLOW, RV_DO_SLOW,
+                                       RV_DO_SLOW, RV_DO_SLOW, RV_DO_SLOW, RV_DO_SLOW};
+    static const uint8_t compare[8] = {RV_DO_FLE,  RV_DO_FLT,  RV_DO_FEQ,  RV_DO_SLOW,
+                                       RV_DO_SLOW, RV_DO_SLOW, RV_DO_SLOW, RV_DO_SLOW};
     uint8_t f_out = (uint8_t)rv_rd(word);
     unsigned funct3 = rv_funct3(word), rs2 = rv_rs2(word);
     switch (rv_funct7(word)) {
     case RV_FP_SIGN:
         return make((enum rv_op)signs[funct3], word, f_out, 0);
+    case RV_FP_MINMAX:
+        return make((enum rv_op)min_max[funct3], word, f_out, 0);
+    case RV_FP_COMPARE:
+        return make((enum rv_op)compare[funct3], word, x_out(word), 0);
     case RV_FP_TO_X:
         return rs2 == 0 && funct3 == 0 ? make(RV_DO_FMV_X_W, word, x_out(word), 0) : SLOW;
     case RV_FP_FROM_X:
         return rs2 == 0 && funct3 == 0 ? make(RV_DO_FMV_W_X, word, f_out, 0) : SLOW;
+    case RV_FP_TO_INT:
+    case RV_FP_FROM_INT:
+        return decode_convert(word);
     default:
-        return SLOW;
+        return decode_arithmetic(word);
     }
 }
 
@@ -146,6 +224,11 @@ static struct rv_entry decode_word(const struct rv_cpu *cpu, uint32_t pc, uint32
         return funct3 != 2 ? SLOW : make(RV_DO_FSW, word, 0, rv_imm_s(word) - base);
     case RV_OP_FP:
         return decode_float(word);
+    case RV_MADD:
+    case RV_MSUB:
+    case RV_NMSUB:
+    case RV_NMADD:
+        return decode_fused(word);
     case RV_MISC_MEM: /* fence, fence.i: nothing to wait for, and no stale words */
         return funct3 > 1 ? SLOW : make(RV_DO_LI, word, 32, 0);
     default:

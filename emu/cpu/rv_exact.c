@@ -1,5 +1,6 @@
 /* rv_exact.c — the loop that can stop at any clock. */
 #include "emu/cpu/rv_decode.h"
+#include "emu/cpu/rv_float_fast.h"
 #include "emu/cpu/rv_parts.h"
 
 /* Labels as values are an extension of gcc and clang. */

@@ -212,5 +212,4 @@ void rv_reset(struct rv_cpu *cpu)
     cpu->state = RV_RUNNING;
     cpu->trouble = (struct rv_trouble){0};
     cpu->attention = false;
-    rv_float_mode(cpu);
 }

@@ -95,15 +95,37 @@ static inline uint32_t rv_sra(uint32_t a, uint32_t b)
     X(JALR, _)                                                                                     \
     X(LI, _) /* a constant: lui, auipc, addi from x0; to x0: fence */
 
-/* All that touch float registers: they need mstatus.FS. */
-#define RV_FLOAT_OPS(X)                                                                            \
+/* What touches float registers needs mstatus.FS. These do not round. */
+#define RV_FLOAT_FREE_OPS(X)                                                                       \
     X(FLW, _)                                                                                      \
     X(FSW, _)                                                                                      \
     X(FMV_X_W, _)                                                                                  \
     X(FMV_W_X, _)                                                                                  \
     X(FSGNJ, _)                                                                                    \
     X(FSGNJN, _)                                                                                   \
-    X(FSGNJX, _)
+    X(FSGNJX, _)                                                                                   \
+    X(FEQ, _)                                                                                      \
+    X(FLT, _)                                                                                      \
+    X(FLE, _)                                                                                      \
+    X(FMIN, _)                                                                                     \
+    X(FMAX, _)
+
+/* These need RV_FLOAT_HOST: dynamic rounding mode or nearest even; conversions to
+ * integers toward zero. */
+#define RV_FLOAT_HOST_OPS(X)                                                                       \
+    X(FADD, _)                                                                                     \
+    X(FSUB, _)                                                                                     \
+    X(FMUL, _)                                                                                     \
+    X(FDIV, _)                                                                                     \
+    X(FSQRT, _)                                                                                    \
+    X(FMADD, _)                                                                                    \
+    X(FMSUB, _)                                                                                    \
+    X(FNMSUB, _)                                                                                   \
+    X(FNMADD, _)                                                                                   \
+    X(FCVT_W_S, _)                                                                                 \
+    X(FCVT_WU_S, _)                                                                                \
+    X(FCVT_S_W, _)                                                                                 \
+    X(FCVT_S_WU, _)
 
 #define RV_INTEGER_OPS(X)                                                                          \
     RV_IMM_OPS(X)                                                                                  \
@@ -115,6 +137,7 @@ static inline uint32_t rv_sra(uint32_t a, uint32_t b)
 
 #define RV_ALL_OPS(X)                                                                              \
     RV_INTEGER_OPS(X)                                                                              \
-    RV_FLOAT_OPS(X)
+    RV_FLOAT_FREE_OPS(X)                                                                           \
+    RV_FLOAT_HOST_OPS(X)
 
 #endif

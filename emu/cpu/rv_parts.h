@@ -85,10 +85,18 @@ static inline bool rv_float_dirty(const struct rv_cpu *cpu)
     return (cpu->mstatus & RV_MSTATUS_FS) == RV_MSTATUS_FS;
 }
 
-/* Works float_host out from fflags and frm. */
-static inline void rv_float_mode(struct rv_cpu *cpu)
+/* What the loops may do with float instructions. */
+enum rv_float_mode {
+    RV_FLOAT_OFF,   /* nothing: mstatus.FS is off, or is to become dirty */
+    RV_FLOAT_EXACT, /* move and compare; rounding is for rv_float.h */
+    RV_FLOAT_HOST,  /* all that rv_float_fast.h has */
+};
+
+static inline enum rv_float_mode rv_float_mode(const struct rv_cpu *cpu)
 {
-    cpu->float_host = (cpu->fflags & RV_NX) != 0 && cpu->frm == RV_RNE;
+    if (!rv_float_dirty(cpu))
+        return RV_FLOAT_OFF;
+    return (cpu->fflags & RV_NX) != 0 && cpu->frm == RV_RNE ? RV_FLOAT_HOST : RV_FLOAT_EXACT;
 }
 
 /* An instruction on float registers (opcodes MADD … OP-FP). False: illegal. */

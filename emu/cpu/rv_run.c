@@ -1,5 +1,6 @@
 /* rv_run.c — the fast loop, and who calls which loop. */
 #include "emu/cpu/rv_decode.h"
+#include "emu/cpu/rv_float_fast.h"
 #include "emu/cpu/rv_parts.h"
 
 /* Labels as values are an extension of gcc and clang. */
@@ -14,7 +15,6 @@
 void rv_run(struct rv_cpu *cpu, uint64_t until)
 {
     cpu->attention = false;
-    rv_float_mode(cpu);
     while (cpu->state == RV_RUNNING && cpu->cycle < until && !cpu->attention) {
         if (rv_take_interrupt(cpu))
             continue;

@@ -62,6 +62,7 @@ static uint32_t extend(unsigned funct3, uint32_t value)
 
 static bool load(struct rv_cpu *cpu, uint32_t word)
 {
+    enum rv_float_mode mode = rv_float_mode(cpu);
     struct rv_access access;
     uint32_t value;
     if (!rv_access_of(cpu, word, &access))
@@ -76,7 +77,7 @@ static bool load(struct rv_cpu *cpu, uint32_t word)
         cpu->f[rv_rd(word)] = value;
         cpu->mstatus |= RV_MSTATUS_FS;
     }
-    return retire(cpu);
+    return retire(cpu) && rv_float_mode(cpu) == mode;
 }
 
 static bool store(struct rv_cpu *cpu, uint32_t word)
@@ -143,6 +144,7 @@ static bool csr_access(struct rv_cpu *cpu, uint32_t word)
     bool writes = (funct3 & 3) == 1 || field != 0;
     if (!rv_csr_read(cpu, csr, &old) || (writes && rv_csr_read_only(csr)))
         return illegal(cpu, word);
+    enum rv_float_mode mode = rv_float_mode(cpu);
     uint32_t mstatus = cpu->mstatus, mie = cpu->mie;
     bool goes_on = retire(cpu); /* a write happens after the instruction has counted */
     if (writes) {
@@ -152,7 +154,7 @@ static bool csr_access(struct rv_cpu *cpu, uint32_t word)
         rv_csr_write(cpu, csr, value);
     }
     set_x(cpu, rv_rd(word), old);
-    return goes_on && cpu->mstatus == mstatus && cpu->mie == mie;
+    return goes_on && cpu->mstatus == mstatus && cpu->mie == mie && rv_float_mode(cpu) == mode;
 }
 
 static bool privileged(struct rv_cpu *cpu, uint32_t word)
@@ -186,10 +188,10 @@ static bool system_op(struct rv_cpu *cpu, uint32_t word)
 
 static bool float_op(struct rv_cpu *cpu, uint32_t word)
 {
+    enum rv_float_mode mode = rv_float_mode(cpu);
     if (!rv_float_on(cpu) || !rv_float_slow(cpu, word))
         return illegal(cpu, word);
-    rv_float_mode(cpu);
-    return retire(cpu) && rv_float_dirty(cpu);
+    return retire(cpu) && rv_float_mode(cpu) == mode;
 }
 
 bool rv_slow(struct rv_cpu *cpu)

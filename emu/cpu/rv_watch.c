@@ -4,7 +4,6 @@
 bool rv_watch(struct rv_cpu *cpu, uint64_t until, const struct rv_hooks *hooks)
 {
     cpu->attention = false;
-    rv_float_mode(cpu);
     while (cpu->state == RV_RUNNING && cpu->cycle < until && !cpu->attention) {
         if (rv_take_interrupt(cpu)) {
             if (hooks->interrupt != NULL)

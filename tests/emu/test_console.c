@@ -100,9 +100,8 @@ static void the_watch_finds_text_however_it_overlaps(void **state)
     static const struct {
         const char *watch, *printed;
         bool found;
-    } cases[] = {{"READY", "NOT REAREADY", true}, {"aab", "aaab", true},
-                 {"aab", "aaaa", false},          {"abab", "abaabab", true},
-                 {"x", "", false},                {"ready", "READY", false}};
+    } cases[] = {{"READY", "NOT REAREADY", true}, {"aab", "aaab", true}, {"aab", "aaaa", false},
+                 {"abab", "abaabab", true},       {"x", "", false},      {"ready", "READY", false}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct vm_console c;
         vm_console_init(&c, &nobody);
