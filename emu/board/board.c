@@ -306,12 +306,19 @@ static bool wires_agree(const struct vm_board *b)
     return b->cpu.mip == mip && b->uart.level == (b->irq.pending >> IRQ_LINE_UART & 1);
 }
 
-/* The processor has not run past what devices have still to do. */
+/* Later than any run comes, with room for sums. */
+#define LAST_TIME (UINT64_MAX - 1000 * CRT_PS_PER_S)
+
+/* The processor has not run past what devices have still to do, nor the run ended in the future. */
 static bool times_agree(const struct vm_board *b)
 {
     uint64_t next = vm_board_next(b);
-    return b->cpu.cycle <= vm_board_cycle(b, UINT64_MAX) - 1 &&
-           (next == UINT64_MAX || b->cpu.cycle <= vm_board_cycle(b, next));
+
+    if (b->cpu.cycle > vm_board_cycle(b, LAST_TIME))
+        return false;
+    if (next != UINT64_MAX && b->cpu.cycle > vm_board_cycle(b, next))
+        return false;
+    return !b->finisher.done || b->finisher.t <= vm_board_now(b);
 }
 
 void vm_board_state(struct vm_board *board, struct crt_state *s)
