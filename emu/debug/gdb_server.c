@@ -100,6 +100,12 @@ static bool listen_at(struct vm_gdb *gdb, struct sockaddr_in *at)
     return true;
 }
 
+bool vm_gdb_check(const char *place, bool anywhere, struct crt_error *err)
+{
+    struct sockaddr_in at;
+    return parse_place(place, &at, err) && check_place(place, &at, anywhere, err);
+}
+
 struct vm_gdb *vm_gdb_open(const char *place, bool anywhere, struct crt_error *err)
 {
     struct sockaddr_in at;
@@ -129,6 +135,9 @@ const char *vm_gdb_place(const struct vm_gdb *gdb)
 
 void vm_gdb_announce(const struct vm_gdb *gdb, const char *file)
 {
+    size_t length = strlen(file);
+    if (length < 4 || strcmp(file + length - 4, ".elf") != 0)
+        file = "FIRMWARE.elf"; /* a display file that brings it along */
     fprintf(stderr,
             "waiting for gdb at %s; connect with: gdb-multiarch %s -ex 'target remote :%u'\n",
             gdb->place, file, gdb->port);
@@ -259,19 +268,23 @@ void vm_gdb_close(struct vm_gdb *gdb)
 
 /* ---- running ---- */
 
+bool vm_gdb_killed(const struct vm_gdb *gdb)
+{
+    return gdb->client >= 0 && gdb->session.state == VM_GDB_KILLED;
+}
+
 static bool over(struct vm_gdb *gdb, const struct vm_gdb_target *target)
 {
     int status;
-    return (gdb->client >= 0 && gdb->session.state == VM_GDB_KILLED) ||
-           target->exited(target->ctx, &status);
+    bool lost = target->cpu->state == RV_HALTED && gdb->client < 0 && !gdb->waiting;
+    return vm_gdb_killed(gdb) || lost || target->exited(target->ctx, &status);
 }
 
-/* One slice with nobody there; false when time stands still, since the processor has halted. */
-static bool run_alone(const struct vm_gdb_target *target, uint64_t until)
+/* One slice with nobody there. */
+static void run_alone(const struct vm_gdb_target *target, uint64_t until)
 {
     uint64_t now = target->now(target->ctx);
     target->run(target->ctx, until - now > target->slice ? now + target->slice : until);
-    return target->now(target->ctx) > now;
 }
 
 /* Time passes towards `until`, or back; false when it cannot: the client has to read first. */
@@ -298,8 +311,8 @@ enum vm_gdb_ran vm_gdb_run(struct vm_gdb *gdb, const struct vm_gdb_target *targe
             return VM_GDB_RAN;
         if (!held && gdb->client >= 0)
             held = !run_session(gdb, target, until);
-        else if (!held && !run_alone(target, until))
-            return VM_GDB_RAN;
+        else if (!held)
+            run_alone(target, until);
         if (!held)
             look(gdb, target, 0);
         else if (looks++ == MOST_LOOKS || !look(gdb, target, wait_ms))

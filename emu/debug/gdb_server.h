@@ -23,6 +23,8 @@
 
 struct vm_gdb;
 
+/* Whether vm_gdb_open may try this. */
+bool vm_gdb_check(const char *place, bool anywhere, struct crt_error *err);
 /* Listens at "ADDRESS:PORT", an IPv4 address or "localhost" (or nothing, which is the same); port 0
  * is any that is free. Addresses at which other machines can connect need `anywhere`. */
 struct vm_gdb *vm_gdb_open(const char *place, bool anywhere, struct crt_error *err);
@@ -35,14 +37,16 @@ const char *vm_gdb_place(const struct vm_gdb *gdb);
 void vm_gdb_announce(const struct vm_gdb *gdb, const char *file);
 
 enum vm_gdb_ran {
-    VM_GDB_RAN,  /* the time has come to `until`, or the processor halted with nobody there */
+    VM_GDB_RAN,  /* the time has come to `until` */
     VM_GDB_HELD, /* the machine stands, for the client */
-    VM_GDB_OVER, /* the program has ended, or the client wants it to */
+    VM_GDB_OVER, /* the program has ended, or is lost in a trap with no client there, or is to end */
 };
 
 /* What a front end calls instead of running the machine. While the machine is held it waits until
  * the client has been silent for wait_ms: a few in a window, which has other things to do. */
 enum vm_gdb_ran vm_gdb_run(struct vm_gdb *gdb, const struct vm_gdb_target *target, uint64_t until,
                            int wait_ms);
+/* The client wants the program to end. */
+bool vm_gdb_killed(const struct vm_gdb *gdb);
 
 #endif
