@@ -7,7 +7,8 @@
 #include "emu/show.h"
 
 struct options {
-    bool headless, console, full_screen;
+    bool headless, console, full_screen, gdb_anywhere;
+    const char *gdb;
     struct vm_time length;
     struct vm_size size;
     double scale;
@@ -26,6 +27,10 @@ static const struct vm_option rows[] = {
      0, 0},
     {"console", 0, VM_OPT_FLAG, ROW(console), "",
      "join the firmware's console to the terminal, or to a pipe; Ctrl-A x leaves", 0, 0},
+    {"gdb", 0, VM_OPT_STRING, ROW(gdb), "ADDRESS:PORT",
+     "wait there for gdb before the first instruction of the firmware, and let it debug", 0, 0},
+    {"gdb-anywhere", 0, VM_OPT_FLAG, ROW(gdb_anywhere), "",
+     "--gdb may listen where other machines can connect: they control the program", 0, 0},
     {"for", 0, VM_OPT_TIME, ROW(length), "T",
      "end after this much simulated time; with status 3 when firmware has not ended itself by then "
      "(--headless)",
@@ -44,6 +49,38 @@ static int fail(int status, const struct crt_error *err)
     return vm_command_fail(&vm_command_run, status, err);
 }
 
+/* The debugger's door, when there is to be one; false: a sentence, with its status. */
+static bool open_gdb(const struct options *o, const char *path, struct vm_gdb **gdb, int *status,
+                     struct crt_error *err)
+{
+    *gdb = NULL;
+    if (!o->gdb)
+        return true;
+    *status = VM_EXIT_USAGE;
+    if (!path)
+        return crt_fail(err, "--gdb needs a FILE, firmware that it can debug");
+    if (!vm_gdb_check(o->gdb, o->gdb_anywhere, err))
+        return false;
+    *status = VM_EXIT_TROUBLE;
+    *gdb = vm_gdb_open(o->gdb, o->gdb_anywhere, err);
+    if (*gdb)
+        vm_gdb_announce(*gdb, path);
+    return *gdb != NULL;
+}
+
+static int debuggable_headless(const struct options *o, const char *path,
+                               const struct vm_settings *settings, const struct vm_input *input,
+                               struct crt_error *err)
+{
+    struct vm_headless headless = {.console = o->console, .length = o->length};
+    int status;
+    if (!open_gdb(o, path, &headless.gdb, &status, err))
+        return status;
+    status = vm_headless(&headless, settings, input, err);
+    vm_gdb_close(headless.gdb);
+    return status;
+}
+
 static int run_headless(const struct options *o, const char *path)
 {
     struct vm_input input;
@@ -59,7 +96,7 @@ static int run_headless(const struct options *o, const char *path)
     int status = vm_settings_resolve(&o->settings, input.is_recording ? &input.header : NULL,
                                      vm_input_tube(&input), &settings, &err);
     if (!status)
-        status = vm_headless(&(struct vm_headless){o->console, o->length}, &settings, &input, &err);
+        status = debuggable_headless(o, path, &settings, &input, &err);
     vm_settings_free(&settings);
     vm_input_free(&input);
     return status && err.text[0] ? fail(status, &err) : status;
@@ -77,18 +114,20 @@ static int run_window(const struct options *o, const char *path)
     vm_settings_free(&settings);
     if (status)
         return fail(status, &err);
-    const struct vm_show_desc desc = {.path = path,
-                                      .roms = o->roms,
-                                      .settings = &o->settings,
-                                      .input = &o->input,
-                                      .light = &o->light,
-                                      .size = o->size,
-                                      .full_screen = o->full_screen,
-                                      .scale = o->scale,
-                                      .length = o->length,
-                                      .console = o->console};
+    struct vm_show_desc desc = {.path = path,
+                                .roms = o->roms,
+                                .settings = &o->settings,
+                                .input = &o->input,
+                                .light = &o->light,
+                                .size = o->size,
+                                .full_screen = o->full_screen,
+                                .scale = o->scale,
+                                .length = o->length,
+                                .console = o->console};
     err.text[0] = '\0';
-    status = vm_show(&desc, &err);
+    if (open_gdb(o, path, &desc.gdb, &status, &err))
+        status = vm_show(&desc, &err);
+    vm_gdb_close(desc.gdb);
     return status && err.text[0] ? fail(status, &err) : status;
 }
 
@@ -128,6 +167,7 @@ const struct vm_command vm_command_run = {
     "  kinescope run roms/lander.df --tube VR14 --time-scale 0.001\n"
     "  kinescope run roms/spin.df --headless --for 60s\n"
     "  kinescope run roms/hello.elf --headless --console\n"
+    "  kinescope run roms/clock.elf --gdb 127.0.0.1:1234\n"
     "  echo hello | kinescope run roms/hello.elf --headless --console --for 5s",
     run,
 };

@@ -4,6 +4,7 @@
 #include <time.h>
 
 #include "emu/command.h"
+#include "emu/debug/gdb_machine.h"
 #include "emu/moment.h"
 #include "emu/progress.h"
 #include "emu/rig.h"
@@ -13,7 +14,8 @@
 #define DISPLAY_FILE_PS (10 * CRT_PS_PER_S)
 #define FOR_EVER_PS     (UINT64_MAX / 2)
 #define KEYS_S          0.002 /* host seconds between looks at the keyboard */
-#define LONGEST_S       0.05  /* a late look does not make the machine hurry after it */
+#define DEBUGGER_MS     20 /* a held machine waits for the debugger between looks at the keyboard */
+#define LONGEST_S       0.05 /* a late look does not make the machine hurry after it */
 
 static double seconds(void)
 {
@@ -25,8 +27,18 @@ static double seconds(void)
 /* ---- running ------------------------------------------------------------------------------------
  */
 
+/* To the end of the firmware or `until`; true when it has ended. A debugger may hold the machine. */
+static bool run_end(struct vm_rig *rig, struct vm_gdb *gdb, uint64_t until)
+{
+    if (!gdb)
+        return vm_machine_run_end(rig->machine, until);
+    struct vm_gdb_target target = vm_gdb_machine(rig->machine);
+    return vm_gdb_run(gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
+}
+
 /* In real time, until the firmware ends, the limit, or who types leaves. */
-static void run_live(struct vm_rig *rig, struct vm_terminal *terminal, uint64_t limit)
+static void run_live(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb *gdb,
+                     uint64_t limit)
 {
     struct vm_machine *m = rig->machine;
     double last = seconds();
@@ -34,17 +46,23 @@ static void run_live(struct vm_rig *rig, struct vm_terminal *terminal, uint64_t 
         double now = seconds(), elapsed = now - last;
         last = now;
         uint64_t ps = (uint64_t)((elapsed < LONGEST_S ? elapsed : LONGEST_S) * 1e12);
-        if (vm_machine_run_end(m, limit - m->now < ps ? limit : m->now + ps))
+        if (run_end(rig, gdb, limit - m->now < ps ? limit : m->now + ps))
             return;
         vm_terminal_poll(terminal, rig->console, m->now, KEYS_S);
     }
 }
 
-static void run(struct vm_rig *rig, struct vm_terminal *terminal, uint64_t limit)
+static void run(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb *gdb,
+                uint64_t limit)
 {
     struct vm_progress progress;
     if (terminal && terminal->live) {
-        run_live(rig, terminal, limit);
+        run_live(rig, terminal, gdb, limit);
+        return;
+    }
+    if (gdb) {
+        while (rig->machine->now < limit && !run_end(rig, gdb, limit))
+            ;
         return;
     }
     vm_progress_begin(&progress);
@@ -123,6 +141,10 @@ int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,
         crt_fail(err, "--console: %s has no firmware that would use it", input->name);
         return VM_EXIT_USAGE;
     }
+    if (h->gdb && !input->has_firmware) {
+        crt_fail(err, "--gdb: %s has no firmware to debug", input->name);
+        return VM_EXIT_USAGE;
+    }
     if (!vm_rig_open(&rig, settings, input, DF_TIMING_VALUE, NULL, err))
         return VM_EXIT_TROUBLE;
     if (h->console && !vm_terminal_open(&terminal, err)) {
@@ -132,12 +154,13 @@ int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,
     if (h->console)
         rig.console->desc = vm_terminal_console(&terminal);
     double begin = seconds();
-    run(&rig, h->console ? &terminal : NULL, limit);
+    run(&rig, h->console ? &terminal : NULL, h->gdb, limit);
     if (h->console)
         vm_terminal_close(&terminal);
-    else
+    else if (!h->gdb)
         say_speed(&rig, input, seconds() - begin);
-    int status = outcome(&rig, input, h->console && terminal.left, err);
+    bool left = (h->console && terminal.left) || (h->gdb && vm_gdb_killed(h->gdb));
+    int status = outcome(&rig, input, left, err);
     vm_rig_close(&rig);
     return status;
 }

@@ -6,10 +6,12 @@
 #include <string.h>
 
 #include "emu/command.h"
+#include "emu/debug/gdb_machine.h"
 #include "emu/trouble.h"
 
 #define LONGEST_FRAME_S 0.05 /* a late frame does not make the machine hurry after it */
 #define IDLE_S          0.05 /* how long a paused window sleeps between looks at the file */
+#define DEBUGGER_MS     4    /* how long a held machine waits for a silent debugger, each frame */
 #define POLL_S          0.3
 #define ROM_S           12.0
 
@@ -36,16 +38,37 @@ static double frame_seconds(struct vm_show *show, double now)
     return elapsed;
 }
 
-/* Runs the machine to `until` with the film open. */
+/* Runs the machine to `until`, or as far as a debugger lets it. */
+static void run_machine(struct vm_show *show, uint64_t until)
+{
+    struct vm_machine *m = show->program->rig.machine;
+    struct vm_gdb *gdb = show->desc->gdb;
+    if (gdb && m->desc.board) {
+        struct vm_gdb_target target = vm_gdb_machine(m);
+        if (vm_gdb_run(gdb, &target, until, DEBUGGER_MS) != VM_GDB_OVER)
+            return;
+        show->quit |= vm_gdb_killed(gdb);
+    }
+    vm_machine_run(m, until);
+}
+
+/* The same with the film open. */
 static void expose(struct vm_show *show, uint64_t until)
 {
     struct vm_machine *m = show->program->rig.machine;
-    if (until <= m->now)
+    struct crt_film *film = &show->program->film, before = *film;
+    uint64_t from = m->now;
+    if (until <= from)
         return;
-    crt_film_open(show->program->rig.tube, &show->program->film, m->now, until);
-    vm_machine_run(m, until);
-    crt_glass_film(show->glass, &show->program->film, &show->program->settings.phosphor);
-    show->film_ready = true;
+    crt_film_open(show->program->rig.tube, film, from, until);
+    run_machine(show, until);
+    show->film_ready = film->complete || crt_film_end(show->program->rig.tube, film);
+    if (show->film_ready) {
+        crt_glass_film(show->glass, film, &show->program->settings.phosphor);
+    } else if (m->now == from) { /* it stands: what was gathered before is what there is to see */
+        *film = before;
+        show->film_ready = film->complete;
+    }
 }
 
 /* When the next refresh is complete, found on a copy of the machine that has no tube. */
@@ -90,6 +113,8 @@ static void run_frame(struct vm_show *show, double now)
         uint64_t whole = (uint64_t)ps;
         show->remainder_ps = ps - (double)whole;
         expose(show, m->now + whole);
+    } else if (show->desc->gdb) {
+        run_machine(show, m->now); /* the debugger may ask */
     }
     uint64_t length;
     struct crt_error err;
@@ -205,8 +230,10 @@ static bool check_program(const struct vm_show_desc *d, struct crt_error *err)
     struct vm_input input;
     char *report;
     if (vm_input_load(&input, d->path, d->input, err, &report)) {
+        bool ok = !d->gdb || input.has_firmware ||
+                  crt_fail(err, "--gdb: %s has no firmware to debug", input.name);
         vm_input_free(&input);
-        return true;
+        return ok;
     }
     if (report) {
         fputs(report, stderr);

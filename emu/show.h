@@ -14,6 +14,7 @@
 #ifndef EMU_SHOW_H
 #define EMU_SHOW_H
 
+#include "emu/debug/gdb_server.h"
 #include "emu/hud.h"
 #include "emu/picture.h"
 #include "emu/rig.h"
@@ -32,6 +33,7 @@ struct vm_show_desc {
     double scale;          /* simulated seconds a second */
     struct vm_time length; /* close after this much simulated time, when given */
     bool console;          /* firmware's console is stdin and stdout */
+    struct vm_gdb *gdb;    /* a debugger may come here; NULL: none */
 };
 
 int vm_show(const struct vm_show_desc *desc, struct crt_error *err);

@@ -131,18 +131,23 @@ static bool go_on(struct vm_gdb_session *s, uint64_t until)
     return ended(s) || s->run.reached;
 }
 
+bool vm_gdb_goes_back(const struct vm_gdb_session *s)
+{
+    return s->state == VM_GDB_RUNNING &&
+           (s->run.how == VM_GDB_BACK || s->run.how == VM_GDB_STEP_BACK);
+}
+
 void vm_gdb_session_run(struct vm_gdb_session *s, uint64_t until)
 {
     const struct vm_gdb_target *t = &s->target;
     if (s->state != VM_GDB_RUNNING || s->output_size > sizeof s->output - VM_GDB_PACKET_MAX)
         return; /* a client that does not read its replies would miss the next one */
-    bool back = s->run.how == VM_GDB_BACK || s->run.how == VM_GDB_STEP_BACK;
     uint64_t now = t->now(t->ctx);
     if (until > now && until - now > t->slice)
         until = now + t->slice;
     bool stopped = s->interrupted && stop(&s->run, VM_GDB_BY_SIGNAL, VM_GDB_SIGINT);
     if (!stopped)
-        stopped = back ? vm_gdb_go_back(s) : go_on(s, until);
+        stopped = vm_gdb_goes_back(s) ? vm_gdb_go_back(s) : go_on(s, until);
     if (!stopped)
         return;
     s->state = VM_GDB_STOPPED;

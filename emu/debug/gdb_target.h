@@ -26,7 +26,8 @@ struct vm_gdb_target {
     uint64_t (*now)(void *ctx);
     /* Everything before `until` happens, unless the program ends or the processor halts first. */
     void (*run)(void *ctx, uint64_t until);
-    /* The same with the processor by rv_watch; true when hooks->before stopped it. */
+    /* The same with the processor by rv_watch; true when hooks->before stopped it. May go on to
+     * `until` after an end. */
     bool (*watch)(void *ctx, uint64_t until, const struct rv_hooks *hooks);
     /* The program has ended, with this status. */
     bool (*exited)(void *ctx, int *status);

@@ -6,47 +6,6 @@
 
 #include "tests/debug/gdb_bare.h"
 
-/* Programs of the tests, from the assembler. */
-
-/* Counts a0 to 5, storing it at 80001000 and loading the byte at 80001005; fa0 = 5.0; ends with 3. */
-static const uint32_t ask_loop[] = {
-    0x80001437, /*    lui s0,0x80001 */
-    0x000062b7, /*    lui t0,0x6 */
-    0x3002a073, /*    csrs mstatus,t0 */
-    0x00500593, /*    li a1,5 */
-    0x00000513, /*    li a0,0 */
-    0x00150513, /* 14 addi a0,a0,1 */
-    0x00a42023, /* 18 sw a0,0(s0) */
-    0x00540603, /* 1c lb a2,5(s0) */
-    0xfeb51ae3, /* 20 bne a0,a1,14 */
-    0xd0057553, /* 24 fcvt.s.w fa0,a0 */
-    0x00300313, /* 28 li t1,3 */
-    0x10602023, /* 2c sw t1,0x100(zero) */
-    0x0000006f, /* 30 j 30 */
-};
-
-/* Counts a0 for ever; the timer interrupts after 10 clocks and then every 20, counting a5. */
-static const uint32_t ask_timer[] = {
-    0x80001437,                   /*    lui s0,0x80001 */
-    0x800002b7,                   /*    lui t0,0x80000 */
-    0x04028293,                   /*    addi t0,t0,0x40 */
-    0x30529073,                   /*    csrw mtvec,t0 */
-    0x00a00313,                   /*    li t1,10 */
-    0x20602023,                   /*    sw t1,0x200(zero) */
-    0x08000393,                   /*    li t2,128 */
-    0x3043a073,                   /*    csrs mie,t2 */
-    0x30046073,                   /*    csrsi mstatus,8 */
-    0x00150513,                   /* 24 addi a0,a0,1 */
-    0x00a42023,                   /* 28 sw a0,0(s0) */
-    0xff9ff06f,                   /* 2c j 24 */
-    0,                            /* 30 */
-    0,          0, 0, 0x00178793, /* 40 addi a5,a5,1 */
-    0x01400313,                   /* 44 li t1,20 */
-    0x20602023,                   /* 48 sw t1,0x200(zero) */
-    0x00000013,                   /* 4c nop */
-    0x30200073,                   /* 50 mret */
-};
-
 struct asker {
     struct bare bare;
     struct vm_gdb_receiver hears;

@@ -12,7 +12,7 @@
 
 static int begin(void **state)
 {
-    *state = ASK_BEGIN(ask_loop, 0);
+    *state = ASK_BEGIN(bare_loop, 0);
     return 0;
 }
 
@@ -270,12 +270,12 @@ static void goodbye(void **state)
     assert_int_equal(a->bare.session.points.breaks, 0);
     assert_int_equal(vm_gdb_session_feed(&a->bare.session, (const uint8_t *)"$g#67", 5), 0);
     ask_end(a);
-    a = *state = ASK_BEGIN(ask_loop, 0);
+    a = *state = ASK_BEGIN(bare_loop, 0);
     ask_bytes(a, "k", 1);
     assert_int_equal(a->packets, 0);
     assert_int_equal(a->bare.session.state, VM_GDB_KILLED);
     ask_end(a);
-    a = *state = ASK_BEGIN(ask_loop, 0);
+    a = *state = ASK_BEGIN(bare_loop, 0);
     assert_reply(a, "vKill;1", "OK");
     assert_int_equal(a->bare.session.state, VM_GDB_KILLED);
 }

@@ -12,20 +12,20 @@
 
 static int begin_loop(void **state)
 {
-    *state = ASK_BEGIN(ask_loop, 0);
+    *state = ASK_BEGIN(bare_loop, 0);
     ask(*state, "qSupported:swbreak+;hwbreak+");
     return 0;
 }
 
 static int begin_timer(void **state)
 {
-    *state = ASK_BEGIN(ask_timer, 0);
+    *state = ASK_BEGIN(bare_timer, 0);
     return 0;
 }
 
 static int begin_kept(void **state)
 {
-    *state = ASK_BEGIN(ask_loop, 7);
+    *state = ASK_BEGIN(bare_loop, 7);
     ask(*state, "qSupported:swbreak+;hwbreak+");
     return 0;
 }
@@ -263,7 +263,7 @@ static void waits(void **state)
 static void changes_nothing(void **state)
 {
     struct asker *a = *state;
-    struct asker *alone = ASK_BEGIN(ask_timer, 0);
+    struct asker *alone = ASK_BEGIN(bare_timer, 0);
     uint32_t random = 5;
     ask(a, "Z2,80001000,1");
     for (int i = 0; i < 600; i++) {
