@@ -118,4 +118,9 @@ void vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m);
 /* Executes one word (or, when the processor waits, goes on to the next tick): a single step. */
 void vm_machine_step(struct vm_machine *m);
 
+/* All of the machine but its tube, between two events. When the machine has a tube, that must have
+ * been loaded before, and belong to the same instant. A machine whose loading failed is fit to be
+ * initialised or loaded again, for nothing else. */
+void vm_machine_state(struct vm_machine *m, struct crt_state *s);
+
 #endif
