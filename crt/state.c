@@ -284,22 +284,19 @@ void crt_state_word_pages(struct crt_state *s, uint16_t *words, size_t count)
 
 #define HEADER 16u /* tag, version, length */
 
-static void begin_loading(struct crt_state *s, uint32_t version)
+/* Up to the section's first byte; gives its version. */
+static uint32_t open_section(struct crt_state *s)
 {
     char tag[4];
-    uint32_t found = 0;
+    uint32_t version = 0;
     uint64_t length = 0;
     crt_state_bytes(s, tag, sizeof tag);
-    crt_state_u32(s, &found);
+    crt_state_u32(s, &version);
     crt_state_u64(s, &length);
     if (s->failed)
-        return;
+        return 0;
     if (memcmp(tag, s->tag, sizeof tag) != 0) {
         crt_fail(&s->err, "the snapshot has no part %s where it should be", s->tag);
-        s->failed = true;
-    } else if (found != version) {
-        crt_fail(&s->err, "the snapshot's part %s is of version %lu; this program has version %lu",
-                 s->tag, (unsigned long)found, (unsigned long)version);
         s->failed = true;
     } else if (length > s->in_size - s->at) {
         crt_state_fail(s, "the snapshot ends too early");
@@ -307,6 +304,17 @@ static void begin_loading(struct crt_state *s, uint32_t version)
         s->section = s->at + (size_t)length;
         s->open = true;
     }
+    return version;
+}
+
+static void begin_loading(struct crt_state *s, uint32_t version)
+{
+    uint32_t found = open_section(s);
+    if (s->failed || found == version)
+        return;
+    crt_fail(&s->err, "the snapshot's part %s is of version %lu; this program has version %lu",
+             s->tag, (unsigned long)found, (unsigned long)version);
+    s->failed = true;
 }
 
 void crt_state_begin(struct crt_state *s, const char *tag, uint32_t version)
@@ -336,6 +344,18 @@ void crt_state_end(struct crt_state *s)
     }
     if (!s->failed && !s->loading)
         put(s->out + s->section, s->size - s->section - 8, 8);
+    s->open = false;
+}
+
+void crt_state_skip(struct crt_state *s, const char *tag)
+{
+    assert(s->loading && !s->open && strlen(tag) == 4);
+    if (s->failed)
+        return;
+    memcpy(s->tag, tag, sizeof s->tag);
+    (void)open_section(s);
+    if (!s->failed)
+        s->at = s->section;
     s->open = false;
 }
 
