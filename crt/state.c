@@ -210,30 +210,40 @@ static size_t page_size(const struct memory *m, size_t at)
     return m->size - at < PAGE ? m->size - at : PAGE;
 }
 
-/* The page at `at`, in `room` where it has to be made of words; NULL: it is all 0. */
+static bool all_zero(const void *memory, size_t size)
+{
+    const uint8_t *bytes = memory;
+    return bytes[0] == 0 && memcmp(bytes, bytes + 1, size - 1) == 0;
+}
+
+static bool is_dark(const struct memory *m, size_t at)
+{
+    return all_zero(m->bytes ? m->bytes + at : (const void *)(m->words + at / 2), page_size(m, at));
+}
+
+/* The page at `at`, in `room` where it has to be made of words. */
 static uint8_t *page_of(const struct memory *m, size_t at, uint8_t room[PAGE])
 {
-    size_t size = page_size(m, at);
-    uint8_t *page = m->bytes ? m->bytes + at : room;
-    for (size_t i = 0; !m->bytes && i < size; i += 2)
-        put(page + i, m->words[(at + i) / 2], 2);
-    bool dark = page[0] == 0 && memcmp(page, page + 1, size - 1) == 0;
-    return dark ? NULL : page;
+    if (m->bytes)
+        return m->bytes + at;
+    for (size_t i = 0; i < page_size(m, at); i += 2)
+        put(room + i, m->words[(at + i) / 2], 2);
+    return room;
 }
 
 static void save_pages(struct crt_state *s, const struct memory *m)
 {
-    uint8_t room[PAGE], *page;
-    uint32_t count = 0, index;
+    uint8_t room[PAGE];
+    uint32_t count = 0;
     for (size_t at = 0; at < m->size; at += PAGE)
-        count += page_of(m, at, room) != NULL;
+        count += !is_dark(m, at);
     crt_state_u32(s, &count);
     for (size_t at = 0; at < m->size; at += PAGE) {
-        if (!(page = page_of(m, at, room)))
+        uint32_t index = (uint32_t)(at / PAGE);
+        if (is_dark(m, at))
             continue;
-        index = (uint32_t)(at / PAGE);
         crt_state_u32(s, &index);
-        crt_state_bytes(s, page, page_size(m, at));
+        crt_state_bytes(s, page_of(m, at, room), page_size(m, at));
     }
 }
 
