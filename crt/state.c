@@ -165,19 +165,35 @@ void crt_state_f64(struct crt_state *s, double *v)
     memcpy(v, &bits, sizeof bits);
 }
 
-void crt_state_f32s(struct crt_state *s, float *v, size_t count)
+static void save_floats(struct crt_state *s, const float *v, size_t count)
 {
-    const uint8_t *from = s->loading ? take(s, 4 * count) : NULL;
-    uint8_t *to = s->loading ? NULL : add(s, 4 * count);
-    uint32_t bits;
-    for (size_t i = 0; to && i < count; i++) {
+    uint8_t *to = add(s, 4 * count);
+    for (size_t i = 0; to && i < count; i++, to += 4) {
+        uint32_t bits;
         memcpy(&bits, &v[i], sizeof bits);
-        put(to + 4 * i, bits, 4);
+        to[0] = (uint8_t)bits; /* spelt out, compilers make one store of it */
+        to[1] = (uint8_t)(bits >> 8);
+        to[2] = (uint8_t)(bits >> 16);
+        to[3] = (uint8_t)(bits >> 24);
     }
-    for (size_t i = 0; s->loading && i < count; i++) {
-        bits = from ? (uint32_t)got(from + 4 * i, 4) : 0;
+}
+
+static void load_floats(struct crt_state *s, float *v, size_t count)
+{
+    const uint8_t *from = take(s, 4 * count);
+    for (size_t i = 0; i < count; i++) {
+        const uint8_t *b = from ? from + 4 * i : (const uint8_t[4]){0};
+        uint32_t bits = b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
         memcpy(&v[i], &bits, sizeof bits);
     }
+}
+
+void crt_state_f32s(struct crt_state *s, float *v, size_t count)
+{
+    if (s->loading)
+        load_floats(s, v, count);
+    else
+        save_floats(s, v, count);
 }
 
 void crt_state_size(struct crt_state *s, size_t *v, size_t most)

@@ -90,9 +90,14 @@ static void pending_state(struct df_dpu *dpu, struct crt_state *s)
 
 /* ---- what is possible -------------------------------------------------------------------------- */
 
+static bool in_12_bits(int32_t v)
+{
+    return v >= -2048 && v <= 2047;
+}
+
 static bool sane_registers(const struct df_dpu *dpu)
 {
-    return dpu->x == df_wrap12(dpu->x) && dpu->y == df_wrap12(dpu->y) && dpu->hit_x <= DF_XPR_X &&
+    return in_12_bits(dpu->x) && in_12_bits(dpu->y) && dpu->hit_x <= DF_XPR_X &&
            dpu->hit_y <= DF_YPR_Y && dpu->character <= 0177 && dpu->phase <= DF_PHASE_ADDRESS;
 }
 
