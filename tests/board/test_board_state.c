@@ -96,6 +96,8 @@ static void copy_board(struct board_rig *to, struct board_rig *from)
     vm_board_state(to->b, &again);
     assert_int_equal(again.size, s.size);
     assert_memory_equal(again.out, s.out, s.size);
+    assert_int_equal(to->b->cpu.rom_count, 1);
+    assert_int_equal(to->b->cpu.rom[0].low, MAP_PROGRAM);
     crt_state_free(&s);
     crt_state_free(&again);
 }
@@ -150,7 +152,7 @@ static uint32_t random_below(uint64_t *seed, uint32_t limit)
     return (uint32_t)((*seed >> 32) * limit >> 32);
 }
 
-/* One to three bytes changed, before the pages of memory mostly: refused, or the board runs on. */
+/* One to three bytes changed, behind the pages of memory mostly: refused, or the board runs on. */
 static void hostile(void **state)
 {
     (void)state;
@@ -174,7 +176,7 @@ static void hostile(void **state)
         for (unsigned n = 1 + random_below(&seed, 3); n > 0; n--) {
             uint32_t most =
                 random_below(&seed, 10) ? (uint32_t)good.size - 8192 : (uint32_t)good.size;
-            bytes[random_below(&seed, most)] = (uint8_t)random_below(&seed, 256);
+            bytes[good.size - 1 - random_below(&seed, most)] = (uint8_t)random_below(&seed, 256);
         }
         crt_state_load(&s, bytes,
                        round % 50 ? good.size : random_below(&seed, (uint32_t)good.size));
