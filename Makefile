@@ -165,7 +165,7 @@ headers:
 	    $(CC) $(CFLAGS) -x c -fsyntax-only - || exit 1; done
 
 format:
-	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) $(EMU_PARTS) tests/*) crt/*.inc emu/cpu/*.inc)
+	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) $(EMU_PARTS) tests/* roms roms/*) crt/*.inc emu/cpu/*.inc)
 
 FUZZ_SECONDS ?= 60
 fuzz:
@@ -187,10 +187,13 @@ help:
 	@echo "make check       the tests of 'make test' without installing anything (TEST_ONLY=pattern)"
 	@echo "make golden      regenerate the golden traces and films (look at them before committing)"
 	@echo "make pictures    draw the pictures of the README"
+	@echo "make roms        build the firmware images in roms/ anew (cross compiler: tests/toolchain.sh)"
 	@echo "make layers      check that includes go one way"
 	@echo "make headers     check that every header compiles alone"
 	@echo "make format      clang-format the tree"
 	@echo "make deps        install what the tests need, and nothing else"
 	@echo "make clean       remove what was built"
+
+include roms/roms.mk
 
 -include $(shell find $(O) -name '*.d' 2>/dev/null)

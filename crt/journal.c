@@ -2,7 +2,7 @@
 
 #include <stdlib.h>
 
-static bool push(struct crt_entries *list, const struct crt_entry *entry)
+bool crt_entries_push(struct crt_entries *list, const struct crt_entry *entry)
 {
     if (list->count == list->room) {
         size_t room = list->room ? list->room * 2 : 256;
@@ -18,7 +18,7 @@ static bool push(struct crt_entries *list, const struct crt_entry *entry)
 
 bool crt_journal_push(struct crt_journal *journal, const struct crt_entry *entry)
 {
-    return push(&journal->now, entry);
+    return crt_entries_push(&journal->now, entry);
 }
 
 bool crt_journal_turn(struct crt_journal *journal, uint64_t end, uint64_t keep_from)
@@ -30,7 +30,7 @@ bool crt_journal_turn(struct crt_journal *journal, uint64_t end, uint64_t keep_f
     for (size_t i = 0; i < now->count; i++) {
         const struct crt_entry *entry = &now->at[i];
         if (entry->stroke.t0 < end && entry->stroke.t1 > keep_from)
-            ok &= push(&journal->before, entry);
+            ok &= crt_entries_push(&journal->before, entry);
         if (entry->stroke.t1 > end)
             now->at[staying++] = *entry;
     }

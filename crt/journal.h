@@ -4,7 +4,7 @@
  *             moment). Those of the epoch before are kept as far as quick phosphor terms need them.
  * Units:      as named in the structs.
  * Ownership:  crt_journal_free releases; a zeroed journal is empty.
- * Errors:     crt_journal_push: false when memory is out; nothing has changed then.
+ * Errors:     crt_entries_push, crt_journal_push: false when memory is out; nothing has changed then.
  *             crt_journal_turn: false when it was out for strokes of the epoch before.
  */
 #ifndef CRT_JOURNAL_H
@@ -32,6 +32,7 @@ struct crt_journal {
     struct crt_entries before; /* strokes with a part in the epoch before */
 };
 
+bool crt_entries_push(struct crt_entries *list, const struct crt_entry *entry);
 bool crt_journal_push(struct crt_journal *journal, const struct crt_entry *entry);
 
 /* The epoch ended at `end`: its strokes from `keep_from` on move to `before`, strokes that go on

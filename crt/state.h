@@ -9,7 +9,8 @@
  *             the bytes being loaded are the caller's.
  * Errors:     sticky: after the first (memory out, bytes missing, wrong tag, value refused) calls
  *             do nothing and loads give 0; s->err has the sentence. Bytes to be loaded are hostile:
- *             whoever loads a value checks it with crt_state_check before using it.
+ *             whoever loads a value checks it with crt_state_check before using it. Checks hold when
+ *             saving, too: what could not be loaded is not saved.
  * Portable:   between hosts of any byte order; floats and doubles as their IEEE bits.
  */
 #ifndef CRT_STATE_H
@@ -28,9 +29,12 @@ struct crt_state {
     size_t size, room;
     const uint8_t *in; /* loading */
     size_t in_size, at;
-    size_t section; /* saving: where the open section's length stands; loading: where it ends */
+    bool open;      /* within a section */
+    char tag[5];    /* its tag */
+    size_t section; /* saving: where its length stands; loading: where it ends */
 };
 
+/* Both begin anew, whatever the struct held; crt_state_free comes before when it has saved. */
 void crt_state_save(struct crt_state *s); /* begins empty */
 void crt_state_load(struct crt_state *s, const uint8_t *bytes, size_t size);
 void crt_state_free(struct crt_state *s);
@@ -49,12 +53,18 @@ void crt_state_i32(struct crt_state *s, int32_t *v);
 void crt_state_f32(struct crt_state *s, float *v);
 void crt_state_f64(struct crt_state *s, double *v);
 void crt_state_bytes(struct crt_state *s, void *bytes, size_t size);
+void crt_state_f32s(struct crt_state *s, float *v, size_t count);
 /* Memory that is mostly 0: only pages of 4096 bytes with something in them are written. */
 void crt_state_pages(struct crt_state *s, uint8_t *bytes, size_t size);
+/* The same for 16-bit words. */
+void crt_state_word_pages(struct crt_state *s, uint16_t *words, size_t count);
 /* A size_t or unsigned, at most `most`. */
 void crt_state_size(struct crt_state *s, size_t *v, size_t most);
 void crt_state_unsigned(struct crt_state *s, unsigned *v, unsigned most);
 /* An enum by pointer to int-sized storage is not portable: copy through an unsigned. */
+
+/* Fails with the sentence, unless it has failed before. */
+void crt_state_fail(struct crt_state *s, const char *sentence);
 
 /* Fails with "the snapshot's WHAT is impossible" when `ok` is false. Returns whether all is well. */
 bool crt_state_check(struct crt_state *s, bool ok, const char *what);

@@ -121,6 +121,11 @@ void crt_tube_set_knobs(struct crt_tube *tube, struct crt_knobs knobs)
     tube->spot_valid = false;
 }
 
+struct crt_knobs crt_tube_knobs(const struct crt_tube *tube)
+{
+    return tube->desc.knobs;
+}
+
 static bool sane_stroke(const struct crt_stroke *s)
 {
     return s->t1 > s->t0 && isfinite(s->x0) && isfinite(s->y0) && isfinite(s->x1) &&

@@ -36,6 +36,7 @@
 #include "crt/geometry.h"
 #include "crt/phosphor.h"
 #include "crt/piece.h"
+#include "crt/state.h"
 #include "crt/ticks.h"
 #include "crt/tube_table.h"
 
@@ -87,6 +88,7 @@ void crt_tube_advance(struct crt_tube *tube, uint64_t now);
 
 /* Knobs act on strokes delivered from now on. */
 void crt_tube_set_knobs(struct crt_tube *tube, struct crt_knobs knobs);
+struct crt_knobs crt_tube_knobs(const struct crt_tube *tube);
 
 /* Film memory for this tube's grid and colours; crt_film_free releases it. */
 bool crt_film_init(struct crt_film *film, const struct crt_tube *tube, struct crt_error *err);
@@ -113,5 +115,17 @@ struct crt_tube_totals {
     uint64_t strokes; /* delivered since creation */
 };
 struct crt_tube_totals crt_tube_totals(const struct crt_tube *tube);
+
+/* All that future light depends on, as of the last advance and with the strokes delivered since:
+ * a tube of the same desc (knobs, threads and kernels aside) that loads it goes on to the same
+ * samples. Films are observers and no part of it; none may be open when loading. A tube whose
+ * loading failed is fit to be loaded again or destroyed, for nothing else. */
+void crt_tube_state(struct crt_tube *tube, struct crt_state *s);
+
+/* The `now` of the last advance, and when the last stroke began. */
+struct crt_tube_times {
+    uint64_t now, last_start;
+};
+struct crt_tube_times crt_tube_times(const struct crt_tube *tube);
 
 #endif

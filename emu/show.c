@@ -56,9 +56,9 @@ static uint64_t next_refresh(const struct vm_show *show)
     struct vm_machine *copy = malloc(sizeof *copy);
     if (!copy)
         return tick;
-    vm_machine_copy(copy, m);
-    if (vm_machine_run_refresh(copy, m->now + CRT_PS_PER_S))
+    if (vm_machine_copy(copy, m) && vm_machine_run_refresh(copy, m->now + CRT_PS_PER_S))
         end = copy->now;
+    vm_machine_forget(copy);
     free(copy);
     return end;
 }
@@ -67,7 +67,8 @@ static uint64_t next_refresh(const struct vm_show *show)
 static void skip_idle(struct vm_show *show)
 {
     const struct vm_machine *m = show->program->rig.machine;
-    for (int ticks = 0; ticks < 100 && m->has_program && m->dpu.state != DF_RUNNING; ticks++)
+    for (int ticks = 0;
+         ticks < 100 && (m->has_program || m->desc.board) && m->dpu.state != DF_RUNNING; ticks++)
         expose(show, m->tick_time + 1);
 }
 
@@ -81,7 +82,7 @@ static void run_frame(struct vm_show *show, double now)
     } else if (show->step) {
         show->step = false;
         /* A refresh that has begun is finished first, so that a whole one is seen. */
-        if (m->in_refresh && m->current.begin < m->now)
+        if (m->refreshes.running && m->refreshes.current.begin < m->now)
             vm_machine_run_refresh(m, m->now + CRT_PS_PER_S);
         expose(show, next_refresh(show));
     } else if (!show->paused) {
@@ -115,6 +116,15 @@ static void draw(struct vm_show *show, double now)
     vm_window_swap(show->window);
 }
 
+static void look_after_console(struct vm_show *show)
+{
+    const struct vm_machine *m = show->program->rig.machine;
+    int status;
+    vm_terminal_poll(&show->terminal, show->program->rig.console, m->now, 0);
+    if (show->terminal.left || vm_machine_exited(m, &status))
+        show->quit = true;
+}
+
 static void look_after_program(struct vm_show *show, double now)
 {
     struct crt_error err;
@@ -125,10 +135,14 @@ static void look_after_program(struct vm_show *show, double now)
     if (show->touring && !show->paused && now - show->rom_since >= ROM_S &&
         !vm_show_tour(show, 1, &err))
         vm_show_say(show, err.text);
+    if (show->desc->console && show->program->rig.console)
+        look_after_console(show);
     if (!show->trouble_shown &&
         show->program->rig.machine->now >= show->program->rig.machine->loaded + CRT_PS_PER_S / 2) {
         show->trouble_shown = true;
-        if (vm_find_trouble(show->program->rig.machine, &show->program->input, &err))
+        enum vm_trouble trouble =
+            vm_find_trouble(show->program->rig.machine, &show->program->input, &err);
+        if (trouble && !(trouble == VM_TROUBLE_DARK && show->program->input.has_firmware))
             vm_hud_message(show->hud, err.text, now, 10);
     }
 }
@@ -170,11 +184,12 @@ static bool open_all(struct vm_show *show, struct crt_error *err)
         return false;
     if (d->full_screen)
         vm_window_set_full_screen(show->window, true);
-    return true;
+    return !d->console || vm_terminal_open(&show->terminal, err);
 }
 
 static void close_all(struct vm_show *show)
 {
+    vm_terminal_close(&show->terminal);
     vm_show_close(show->program);
     if (show->hud)
         vm_hud_destroy(show->hud);
@@ -220,8 +235,11 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
         show->last_time = vm_window_time();
         loop(show);
     }
+    int status = ok ? VM_EXIT_OK : VM_EXIT_TROUBLE;
+    if (ok)
+        vm_machine_exited(show->program->rig.machine, &status);
     if (show)
         close_all(show);
     free(show);
-    return ok ? VM_EXIT_OK : VM_EXIT_TROUBLE;
+    return status;
 }

@@ -29,6 +29,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "crt/state.h"
+
 /* Causes: mcause without the interrupt bit. */
 enum rv_cause {
     RV_FETCH_MISALIGNED = 0,
@@ -163,6 +165,10 @@ struct rv_access {
     bool store;
 };
 bool rv_access_of(const struct rv_cpu *cpu, uint32_t word, struct rv_access *access);
+
+/* A snapshot's section "RV32": everything but the decoded words and ROM ranges. Memory is the
+ * caller's to save, and to load before this. */
+void rv_state(struct rv_cpu *cpu, struct crt_state *s);
 
 /* "load access fault" and the like; an interrupt's name when bit 31 is set. */
 const char *rv_cause_name(uint32_t cause);

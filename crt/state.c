@@ -1,0 +1,349 @@
+#include "crt/state.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PAGE 4096u
+
+/* ---- beginning and end ------------------------------------------------------------------------ */
+
+void crt_state_save(struct crt_state *s)
+{
+    *s = (struct crt_state){.loading = false};
+}
+
+void crt_state_load(struct crt_state *s, const uint8_t *bytes, size_t size)
+{
+    *s = (struct crt_state){.loading = true, .in = bytes, .in_size = size};
+}
+
+void crt_state_free(struct crt_state *s)
+{
+    free(s->out);
+    *s = (struct crt_state){.loading = false};
+}
+
+/* ---- bytes ------------------------------------------------------------------------------------ */
+
+void crt_state_fail(struct crt_state *s, const char *sentence)
+{
+    if (!s->failed)
+        crt_fail(&s->err, "%s", sentence);
+    s->failed = true;
+}
+
+/* Room for `size` more bytes; NULL after an error. */
+static uint8_t *add(struct crt_state *s, size_t size)
+{
+    if (s->failed)
+        return NULL;
+    if (size > s->room - s->size) {
+        size_t room = s->room ? s->room : PAGE;
+        while (room - s->size < size && room <= SIZE_MAX / 2)
+            room *= 2;
+        uint8_t *out = room - s->size < size ? NULL : realloc(s->out, room);
+        if (!out) {
+            crt_state_fail(s, "not enough memory for a snapshot; close other programs");
+            return NULL;
+        }
+        s->out = out;
+        s->room = room;
+    }
+    s->size += size;
+    return s->out + (s->size - size);
+}
+
+/* The next `size` bytes of the open section; NULL after an error. */
+static const uint8_t *take(struct crt_state *s, size_t size)
+{
+    size_t end = s->open ? s->section : s->in_size;
+    if (!s->failed && size > end - s->at)
+        crt_state_fail(s, "the snapshot ends too early");
+    if (s->failed)
+        return NULL;
+    s->at += size;
+    return s->in + (s->at - size);
+}
+
+void crt_state_bytes(struct crt_state *s, void *bytes, size_t size)
+{
+    if (size == 0)
+        return;
+    if (s->loading) {
+        const uint8_t *from = take(s, size);
+        if (from)
+            memcpy(bytes, from, size);
+        else
+            memset(bytes, 0, size);
+    } else {
+        uint8_t *to = add(s, size);
+        if (to)
+            memcpy(to, bytes, size);
+    }
+}
+
+/* ---- numbers ---------------------------------------------------------------------------------- */
+
+static void put(uint8_t *to, uint64_t v, size_t size)
+{
+    for (size_t i = 0; i < size; i++)
+        to[i] = (uint8_t)(v >> 8 * i);
+}
+
+static uint64_t got(const uint8_t *from, size_t size)
+{
+    uint64_t v = 0;
+    for (size_t i = 0; i < size; i++)
+        v |= (uint64_t)from[i] << 8 * i;
+    return v;
+}
+
+/* The value saved, or the one loaded. */
+static uint64_t number(struct crt_state *s, uint64_t v, size_t size)
+{
+    if (s->loading) {
+        const uint8_t *from = take(s, size);
+        return from ? got(from, size) : 0;
+    }
+    uint8_t *to = add(s, size);
+    if (to)
+        put(to, v, size);
+    return v;
+}
+
+void crt_state_u8(struct crt_state *s, uint8_t *v)
+{
+    *v = (uint8_t)number(s, *v, 1);
+}
+
+void crt_state_u16(struct crt_state *s, uint16_t *v)
+{
+    *v = (uint16_t)number(s, *v, 2);
+}
+
+void crt_state_u32(struct crt_state *s, uint32_t *v)
+{
+    *v = (uint32_t)number(s, *v, 4);
+}
+
+void crt_state_u64(struct crt_state *s, uint64_t *v)
+{
+    *v = number(s, *v, 8);
+}
+
+void crt_state_bool(struct crt_state *s, bool *v)
+{
+    uint8_t bits = *v;
+    crt_state_u8(s, &bits);
+    if (!crt_state_check(s, bits <= 1, "flag"))
+        bits = 0;
+    *v = bits != 0;
+}
+
+void crt_state_i32(struct crt_state *s, int32_t *v)
+{
+    uint32_t bits;
+    memcpy(&bits, v, sizeof bits);
+    crt_state_u32(s, &bits);
+    memcpy(v, &bits, sizeof bits);
+}
+
+void crt_state_f32(struct crt_state *s, float *v)
+{
+    uint32_t bits;
+    memcpy(&bits, v, sizeof bits);
+    crt_state_u32(s, &bits);
+    memcpy(v, &bits, sizeof bits);
+}
+
+void crt_state_f64(struct crt_state *s, double *v)
+{
+    uint64_t bits;
+    memcpy(&bits, v, sizeof bits);
+    crt_state_u64(s, &bits);
+    memcpy(v, &bits, sizeof bits);
+}
+
+void crt_state_f32s(struct crt_state *s, float *v, size_t count)
+{
+    const uint8_t *from = s->loading ? take(s, 4 * count) : NULL;
+    uint8_t *to = s->loading ? NULL : add(s, 4 * count);
+    uint32_t bits;
+    for (size_t i = 0; to && i < count; i++) {
+        memcpy(&bits, &v[i], sizeof bits);
+        put(to + 4 * i, bits, 4);
+    }
+    for (size_t i = 0; s->loading && i < count; i++) {
+        bits = from ? (uint32_t)got(from + 4 * i, 4) : 0;
+        memcpy(&v[i], &bits, sizeof bits);
+    }
+}
+
+void crt_state_size(struct crt_state *s, size_t *v, size_t most)
+{
+    uint64_t n = number(s, *v, 8);
+    if (!crt_state_check(s, n <= most, "count"))
+        n = 0;
+    *v = (size_t)n;
+}
+
+void crt_state_unsigned(struct crt_state *s, unsigned *v, unsigned most)
+{
+    uint64_t n = number(s, *v, 4);
+    if (!crt_state_check(s, n <= most, "number"))
+        n = 0;
+    *v = (unsigned)n;
+}
+
+/* ---- memory that is mostly 0 ------------------------------------------------------------------ */
+
+/* Bytes, or 16-bit words seen as bytes. */
+struct memory {
+    uint8_t *bytes;
+    uint16_t *words; /* when bytes is NULL */
+    size_t size;     /* bytes */
+};
+
+static size_t page_size(const struct memory *m, size_t at)
+{
+    return m->size - at < PAGE ? m->size - at : PAGE;
+}
+
+/* The page at `at`, in `room` where it has to be made of words; NULL: it is all 0. */
+static uint8_t *page_of(const struct memory *m, size_t at, uint8_t room[PAGE])
+{
+    size_t size = page_size(m, at);
+    uint8_t *page = m->bytes ? m->bytes + at : room;
+    for (size_t i = 0; !m->bytes && i < size; i += 2)
+        put(page + i, m->words[(at + i) / 2], 2);
+    bool dark = page[0] == 0 && memcmp(page, page + 1, size - 1) == 0;
+    return dark ? NULL : page;
+}
+
+static void save_pages(struct crt_state *s, const struct memory *m)
+{
+    uint8_t room[PAGE], *page;
+    uint32_t count = 0, index;
+    for (size_t at = 0; at < m->size; at += PAGE)
+        count += page_of(m, at, room) != NULL;
+    crt_state_u32(s, &count);
+    for (size_t at = 0; at < m->size; at += PAGE) {
+        if (!(page = page_of(m, at, room)))
+            continue;
+        index = (uint32_t)(at / PAGE);
+        crt_state_u32(s, &index);
+        crt_state_bytes(s, page, page_size(m, at));
+    }
+}
+
+/* Pages come in order, each once. */
+static void load_pages(struct crt_state *s, const struct memory *m)
+{
+    uint32_t count = 0, index = 0;
+    size_t after = 0, pages = m->size / PAGE + (m->size % PAGE != 0);
+    if (m->bytes)
+        memset(m->bytes, 0, m->size);
+    else
+        memset(m->words, 0, m->size);
+    crt_state_u32(s, &count);
+    for (; count > 0 && !s->failed; count--) {
+        crt_state_u32(s, &index);
+        if (!crt_state_check(s, index >= after && index < pages, "memory"))
+            return;
+        after = (size_t)index + 1;
+        size_t at = (size_t)index * PAGE, size = page_size(m, at);
+        const uint8_t *from = take(s, size);
+        if (from && m->bytes)
+            memcpy(m->bytes + at, from, size);
+        for (size_t i = 0; from && !m->bytes && i < size; i += 2)
+            m->words[(at + i) / 2] = (uint16_t)got(from + i, 2);
+    }
+}
+
+static void all_pages(struct crt_state *s, const struct memory *m)
+{
+    assert(m->size / PAGE < UINT32_MAX);
+    if (s->loading)
+        load_pages(s, m);
+    else
+        save_pages(s, m);
+}
+
+void crt_state_pages(struct crt_state *s, uint8_t *bytes, size_t size)
+{
+    all_pages(s, &(struct memory){bytes, NULL, size});
+}
+
+void crt_state_word_pages(struct crt_state *s, uint16_t *words, size_t count)
+{
+    all_pages(s, &(struct memory){NULL, words, 2 * count});
+}
+
+/* ---- sections --------------------------------------------------------------------------------- */
+
+#define HEADER 16u /* tag, version, length */
+
+static void begin_loading(struct crt_state *s, uint32_t version)
+{
+    char tag[4];
+    uint32_t found = 0;
+    uint64_t length = 0;
+    crt_state_bytes(s, tag, sizeof tag);
+    crt_state_u32(s, &found);
+    crt_state_u64(s, &length);
+    if (s->failed)
+        return;
+    if (memcmp(tag, s->tag, sizeof tag) != 0) {
+        crt_fail(&s->err, "the snapshot has no part %s where it should be", s->tag);
+        s->failed = true;
+    } else if (found != version) {
+        crt_fail(&s->err, "the snapshot's part %s is of version %lu; this program has version %lu",
+                 s->tag, (unsigned long)found, (unsigned long)version);
+        s->failed = true;
+    } else if (length > s->in_size - s->at) {
+        crt_state_fail(s, "the snapshot ends too early");
+    } else {
+        s->section = s->at + (size_t)length;
+        s->open = true;
+    }
+}
+
+void crt_state_begin(struct crt_state *s, const char *tag, uint32_t version)
+{
+    assert(!s->open && strlen(tag) == 4);
+    if (s->failed)
+        return;
+    memcpy(s->tag, tag, sizeof s->tag);
+    if (s->loading) {
+        begin_loading(s, version);
+        return;
+    }
+    uint8_t *header = add(s, HEADER);
+    if (!header)
+        return;
+    memcpy(header, tag, 4);
+    put(header + 4, version, 4);
+    s->section = s->size - 8;
+    s->open = true;
+}
+
+void crt_state_end(struct crt_state *s)
+{
+    if (!s->failed && s->loading && s->at != s->section) {
+        crt_fail(&s->err, "the snapshot's part %s is longer than it should be", s->tag);
+        s->failed = true;
+    }
+    if (!s->failed && !s->loading)
+        put(s->out + s->section, s->size - s->section - 8, 8);
+    s->open = false;
+}
+
+bool crt_state_check(struct crt_state *s, bool ok, const char *what)
+{
+    if (!ok && !s->failed) {
+        crt_fail(&s->err, "the snapshot's %s is impossible", what);
+        s->failed = true;
+    }
+    return !s->failed;
+}
