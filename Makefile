@@ -55,7 +55,7 @@ endif
 CFLAGS    := -std=c11 -D_POSIX_C_SOURCE=200809L $(WARN) $(EXACT) $(MODE_$(MODE)) -g -I. -pthread $(EXTRA_CFLAGS)
 LDFLAGS   := $(MODE_$(MODE)) -pthread
 LIBS      := -lglfw -lpng -linih -lnettle -lm -ldl
-TEST_LIBS := -lcmocka
+TEST_LIBS := -lcmocka -lmpfr -lgmp
 
 .DEFAULT_GOAL := all
 .SECONDARY:
@@ -106,7 +106,7 @@ $(REPLAY_BINS): $(O)/%_replay: $(O)/%.o $(O)/tests/fuzz/replay.o $(ARCHIVES)
 # ---- what people call ------------------------------------------------------------------------------
 
 PACKAGES_RUN  := libpng-dev libglfw3-dev libinih-dev nettle-dev libosmesa6 libegl1 libgl1-mesa-dri
-PACKAGES_TEST := $(PACKAGES_RUN) libcmocka-dev xvfb xdotool imagemagick
+PACKAGES_TEST := $(PACKAGES_RUN) libcmocka-dev xvfb xdotool imagemagick libmpfr-dev
 
 # All processors build, unless make was told how many (-j).
 JOBS = $(if $(findstring jobserver,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 2))
@@ -165,7 +165,7 @@ headers:
 	    $(CC) $(CFLAGS) -x c -fsyntax-only - || exit 1; done
 
 format:
-	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) $(EMU_PARTS) tests/*) crt/*.inc emu/cpu/*.inc)
+	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) $(EMU_PARTS) tests/* roms roms/*) crt/*.inc emu/cpu/*.inc)
 
 FUZZ_SECONDS ?= 60
 fuzz:
@@ -187,10 +187,13 @@ help:
 	@echo "make check       the tests of 'make test' without installing anything (TEST_ONLY=pattern)"
 	@echo "make golden      regenerate the golden traces and films (look at them before committing)"
 	@echo "make pictures    draw the pictures of the README"
+	@echo "make roms        build the firmware images in roms/ anew (cross compiler: tests/toolchain.sh)"
 	@echo "make layers      check that includes go one way"
 	@echo "make headers     check that every header compiles alone"
 	@echo "make format      clang-format the tree"
 	@echo "make deps        install what the tests need, and nothing else"
 	@echo "make clean       remove what was built"
+
+include roms/roms.mk
 
 -include $(shell find $(O) -name '*.d' 2>/dev/null)

@@ -52,3 +52,18 @@ void crt_film_cancel(struct crt_tube *tube, struct crt_film *film)
             return;
         }
 }
+
+bool crt_film_end(struct crt_tube *tube, struct crt_film *film)
+{
+    const struct crt_film *open = tube->films;
+    while (open && open != film)
+        open = open->next;
+    if (!open || tube->now <= film->t0) {
+        crt_film_cancel(tube, film);
+        return false;
+    }
+    if (film->t1 > tube->now)
+        film->t1 = tube->now;
+    crt_tube_advance(tube, tube->now);
+    return film->complete;
+}

@@ -216,27 +216,58 @@ static void directive_dialect(struct df_asm *as, unsigned what)
     }
 }
 
-/* Which tube the program was made for; whether there is such a row is for the machine to say. */
-static void directive_tube(struct df_asm *as, unsigned what)
+/* A name in quotes, nothing else, into a field of the program. */
+static void take_name(struct df_asm *as, const char *expected, bool (*allowed)(char c), char *field,
+                      size_t size)
 {
-    (void)what;
     df_lex_string_again(&as->lex);
-    struct df_token name = as->lex.token;
-    if (name.kind != DF_TOKEN_STRING || name.length < 3 ||
-        memchr(name.text, '\\', name.length) != NULL) {
-        df_asm_unexpected(as, "the name of a tube in quotes, such as \"VR17\" or \"VR17/P31\"");
+    struct df_token token = as->lex.token;
+    bool good = token.kind == DF_TOKEN_STRING && token.length >= 3;
+    for (uint32_t i = 1; good && i < token.length - 1; i++) {
+        good = allowed(token.text[i]);
+    }
+    if (!good) {
+        df_asm_unexpected(as, expected);
         return;
     }
-    if (name.length - 2 >= sizeof as->program->tube) {
-        df_asm_error(as, name.column, "the name is too long; expected at most %d characters",
-                     (int)sizeof as->program->tube - 1);
+    if (token.length - 2 >= size) {
+        df_asm_error(as, token.column, "the name is too long; expected at most %d characters",
+                     (int)size - 1);
         return;
     }
     df_lex_next(&as->lex);
     if (df_asm_end_of_line(as)) {
-        memcpy(as->program->tube, name.text + 1, name.length - 2);
-        as->program->tube[name.length - 2] = '\0';
+        memcpy(field, token.text + 1, token.length - 2);
+        field[token.length - 2] = '\0';
     }
+}
+
+static bool in_tube_name(char c)
+{
+    return c != '\\';
+}
+
+/* Which tube the program was made for; whether there is such a row is for the machine to say. */
+static void directive_tube(struct df_asm *as, unsigned what)
+{
+    (void)what;
+    take_name(as, "the name of a tube in quotes, such as \"VR17\" or \"VR17/P31\"", in_tube_name,
+              as->program->tube, sizeof as->program->tube);
+}
+
+/* It becomes part of a file's name: a file elsewhere cannot be named. */
+static bool in_firmware_name(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+}
+
+/* Which firmware the program needs; whether there is such an image is for the machine to say. */
+static void directive_firmware(struct df_asm *as, unsigned what)
+{
+    (void)what;
+    take_name(as, "the name of firmware in quotes (letters, digits, _ and -), such as \"rt11\"",
+              in_firmware_name, as->program->firmware, sizeof as->program->firmware);
 }
 
 static const struct df_asm_statement directives[] = {
@@ -251,6 +282,7 @@ static const struct df_asm_statement directives[] = {
     {".mode", directive_mode, 0},
     {".dialect", directive_dialect, 0},
     {".tube", directive_tube, 0},
+    {".firmware", directive_firmware, 0},
 };
 
 #define DIRECTIVES (sizeof directives / sizeof directives[0])

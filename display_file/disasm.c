@@ -161,6 +161,9 @@ static void write_all(struct disassembly *d)
     if (p->tube[0] != '\0') {
         df_text_add(&d->text, "        .tube   \"%s\"\n", p->tube);
     }
+    if (p->firmware[0] != '\0') {
+        df_text_add(&d->text, "        .firmware \"%s\"\n", p->firmware);
+    }
     if (p->entry != p->low) {
         df_text_add(&d->text, "        .start  ");
         add_place(d, p->entry);

@@ -1,6 +1,6 @@
 /* disasm.h — words back to .df source that assembles to the same words.
  *
- * Models:     assemble(disassemble(x)) == x for any words at any addresses, entry and tube
+ * Models:     assemble(disassemble(x)) == x for any words at any addresses, entry, tube and firmware
  *             included: what no mnemonic says exactly is written as an octal .word.
  * Units:      addresses are byte addresses, in octal.
  * Ownership:  df_disassemble returns malloced text.

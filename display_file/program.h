@@ -24,10 +24,11 @@ struct df_program {
     uint32_t *line;  /* same index: file << 24 | line number of the source, 0 = unknown */
     char **files;    /* names for that file index */
     unsigned file_count;
-    uint32_t low;   /* the first address loaded */
-    uint32_t high;  /* the one after the last; low == high: empty */
-    uint32_t entry; /* where DPC starts */
-    char tube[40];  /* what it was made for: TUBE or TUBE/PHOSPHOR; "": it does not say */
+    uint32_t low;      /* the first address loaded */
+    uint32_t high;     /* the one after the last; low == high: empty */
+    uint32_t entry;    /* where DPC starts */
+    char tube[40];     /* what it was made for: TUBE or TUBE/PHOSPHOR; "": it does not say */
+    char firmware[64]; /* image of the firmware it needs, without .elf; "": none */
 };
 
 bool df_program_init(struct df_program *p, struct crt_error *err);

@@ -189,7 +189,7 @@ static int plan_exposure(struct capture *c, struct crt_error *err)
 static void hint_at_exposure(const struct capture *c, const struct vm_machine *m)
 {
     char refresh[32], tick[32];
-    uint64_t length = m->refresh.end - m->refresh.begin;
+    uint64_t length = m->refreshes.last.end - m->refreshes.last.begin;
     if (c->sequence || c->o.exposure.given || c->o.moment.at.given || c->input.is_recording ||
         length <= 2 * crt_tick_time(c->settings.tick, 1))
         return;

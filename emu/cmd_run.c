@@ -1,18 +1,14 @@
 /* run — a program in a window, or headless as fast as the host can. */
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 #include "emu/command.h"
-#include "emu/moment.h"
-#include "emu/progress.h"
+#include "emu/headless.h"
 #include "emu/show.h"
-#include "emu/trouble.h"
-
-#define HEADLESS_PS (10 * CRT_PS_PER_S)
 
 struct options {
-    bool headless, full_screen;
+    bool headless, console, full_screen, gdb_anywhere;
+    const char *gdb;
     struct vm_time length;
     struct vm_size size;
     double scale;
@@ -26,8 +22,19 @@ struct options {
 
 static const struct vm_option rows[] = {
     {"headless", 0, VM_OPT_FLAG, ROW(headless), "",
-     "no window and no light: as fast as the host can, for --for T (default 10s)", 0, 0},
-    {"for", 0, VM_OPT_TIME, ROW(length), "T", "end after this much simulated time", 0, 0},
+     "no window and no light: as fast as the host can, to the end of firmware or of --for T (of a "
+     "display file 10s)",
+     0, 0},
+    {"console", 0, VM_OPT_FLAG, ROW(console), "",
+     "join the firmware's console to the terminal, or to a pipe; Ctrl-A x leaves", 0, 0},
+    {"gdb", 0, VM_OPT_STRING, ROW(gdb), "ADDRESS:PORT",
+     "wait there for gdb before the first instruction of the firmware, and let it debug", 0, 0},
+    {"gdb-anywhere", 0, VM_OPT_FLAG, ROW(gdb_anywhere), "",
+     "--gdb may listen where other machines can connect: they control the program", 0, 0},
+    {"for", 0, VM_OPT_TIME, ROW(length), "T",
+     "end after this much simulated time; with status 3 when firmware has not ended itself by then "
+     "(--headless)",
+     0, 0},
     {"time-scale", 0, VM_OPT_REAL, ROW(scale), "X",
      "simulated seconds a second, 1e-6 to 10; F7 and F8 change it", 1e-6, 10},
     {"size", 0, VM_OPT_SIZE, ROW(size), "WxH", "size of the window; default fits the monitor", 0,
@@ -42,41 +49,35 @@ static int fail(int status, const struct crt_error *err)
     return vm_command_fail(&vm_command_run, status, err);
 }
 
-static double seconds(void)
+/* The debugger's door, when there is to be one; false: a sentence, with its status. */
+static bool open_gdb(const struct options *o, const char *path, struct vm_gdb **gdb, int *status,
+                     struct crt_error *err)
 {
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+    *gdb = NULL;
+    if (!o->gdb)
+        return true;
+    *status = VM_EXIT_USAGE;
+    if (!path)
+        return crt_fail(err, "--gdb needs a FILE, firmware that it can debug");
+    if (!vm_gdb_check(o->gdb, o->gdb_anywhere, err))
+        return false;
+    *status = VM_EXIT_TROUBLE;
+    *gdb = vm_gdb_open(o->gdb, o->gdb_anywhere, err);
+    if (*gdb)
+        vm_gdb_announce(*gdb, path);
+    return *gdb != NULL;
 }
 
-static int headless(const struct options *o, const struct vm_settings *settings,
-                    const struct vm_input *input, struct crt_error *err)
+static int debuggable_headless(const struct options *o, const char *path,
+                               const struct vm_settings *settings, const struct vm_input *input,
+                               struct crt_error *err)
 {
-    struct vm_rig rig;
-    struct vm_progress progress;
-    uint64_t length = HEADLESS_PS;
-    if (o->length.given && !vm_time_ps(&o->length, settings->tick, &length, err))
-        return VM_EXIT_USAGE;
-    if (!vm_rig_open(&rig, settings, input, DF_TIMING_VALUE, NULL, err))
-        return VM_EXIT_TROUBLE;
-    double begin = seconds();
-    vm_progress_begin(&progress);
-    vm_progress_run(&progress, rig.machine, length);
-    vm_progress_end(&progress);
-    double took = seconds() - begin, simulated = (double)length / (double)CRT_PS_PER_S;
-    const struct vm_machine *m = rig.machine;
-    fprintf(
-        stderr,
-        "%s: %.6g simulated seconds in %.3g s, %.0f simulated seconds a second; %llu words, %llu "
-        "strokes, %llu refreshes\n",
-        input->name, simulated, took, simulated / (took > 1e-9 ? took : 1e-9),
-        (unsigned long long)m->dpu.words, (unsigned long long)m->strokes,
-        (unsigned long long)m->refresh.number);
-    /* A program that has not lit the beam yet may still do so, after its first sync tick. */
-    if (m->strokes == 0)
-        vm_machine_run(rig.machine, VM_SETTLED_PS);
-    int status = vm_find_trouble(m, input, err) ? VM_EXIT_TROUBLE : VM_EXIT_OK;
-    vm_rig_close(&rig);
+    struct vm_headless headless = {.console = o->console, .length = o->length};
+    int status;
+    if (!open_gdb(o, path, &headless.gdb, &status, err))
+        return status;
+    status = vm_headless(&headless, settings, input, err);
+    vm_gdb_close(headless.gdb);
     return status;
 }
 
@@ -95,10 +96,10 @@ static int run_headless(const struct options *o, const char *path)
     int status = vm_settings_resolve(&o->settings, input.is_recording ? &input.header : NULL,
                                      vm_input_tube(&input), &settings, &err);
     if (!status)
-        status = headless(o, &settings, &input, &err);
+        status = debuggable_headless(o, path, &settings, &input, &err);
     vm_settings_free(&settings);
     vm_input_free(&input);
-    return status ? fail(status, &err) : status;
+    return status && err.text[0] ? fail(status, &err) : status;
 }
 
 static int run_window(const struct options *o, const char *path)
@@ -113,16 +114,20 @@ static int run_window(const struct options *o, const char *path)
     vm_settings_free(&settings);
     if (status)
         return fail(status, &err);
-    const struct vm_show_desc desc = {.path = path,
-                                      .roms = o->roms,
-                                      .settings = &o->settings,
-                                      .input = &o->input,
-                                      .light = &o->light,
-                                      .size = o->size,
-                                      .full_screen = o->full_screen,
-                                      .scale = o->scale,
-                                      .length = o->length};
-    status = vm_show(&desc, &err);
+    struct vm_show_desc desc = {.path = path,
+                                .roms = o->roms,
+                                .settings = &o->settings,
+                                .input = &o->input,
+                                .light = &o->light,
+                                .size = o->size,
+                                .full_screen = o->full_screen,
+                                .scale = o->scale,
+                                .length = o->length,
+                                .console = o->console};
+    err.text[0] = '\0';
+    if (open_gdb(o, path, &desc.gdb, &status, &err))
+        status = vm_show(&desc, &err);
+    vm_gdb_close(desc.gdb);
     return status && err.text[0] ? fail(status, &err) : status;
 }
 
@@ -160,6 +165,9 @@ const struct vm_command vm_command_run = {
     "to the program. A file that changes is loaded again; a file dropped on the window is shown.",
     "  kinescope run\n"
     "  kinescope run roms/lander.df --tube VR14 --time-scale 0.001\n"
-    "  kinescope run roms/spin.df --headless --for 60s",
+    "  kinescope run roms/spin.df --headless --for 60s\n"
+    "  kinescope run roms/hello.elf --headless --console\n"
+    "  kinescope run roms/clock.elf --gdb 127.0.0.1:1234\n"
+    "  echo hello | kinescope run roms/hello.elf --headless --console --for 5s",
     run,
 };

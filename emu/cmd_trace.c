@@ -1,20 +1,20 @@
-/* trace — one text line per event: words executed, or pieces of lit beam. */
+/* trace — one text line per event: words, pieces of lit beam, instructions, interrupts. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "crt/beam_file.h"
-#include "display_file/df_regs.h"
 #include "emu/command.h"
 #include "emu/moment.h"
 #include "emu/out_file.h"
 #include "emu/progress.h"
 #include "emu/summary.h"
+#include "emu/trace_lines.h"
 #include "emu/trouble.h"
 
 struct options {
     const char *what, *out;
-    struct vm_time length;
+    struct vm_time from, length;
     bool summary;
     struct vm_settings_options settings;
     struct vm_input_options input;
@@ -23,15 +23,18 @@ struct options {
 #define ROW(field) offsetof(struct options, field)
 
 static const struct vm_option rows[] = {
-    {"what", 0, VM_OPT_CHOICE, ROW(what), "dpu|beam",
-     "dpu: a line per executed word (default); beam: a line per piece of lit beam, the .beam "
-     "format",
+    {"what", 0, VM_OPT_CHOICE, ROW(what), "dpu|beam|cpu|irq",
+     "dpu: a line per word executed (default); beam: a line per piece of lit beam, the .beam "
+     "format; "
+     "cpu: a line per instruction with its effect; irq: a line per change of an interrupt line, "
+     "and "
+     "per interrupt taken",
      0, 0},
     {"for", 0, VM_OPT_TIME, ROW(length), "T",
-     "trace this much simulated time from power-on; default: dpu one refresh, beam to the moment "
-     "capture "
-     "would choose",
+     "trace this much simulated time; default: dpu one refresh, beam to the moment capture would "
+     "choose, cpu 1 ms, irq 0.5 s",
      0, 0},
+    {"from", 0, VM_OPT_TIME, ROW(from), "T", "begin to trace then; default power-on", 0, 0},
     {"summary", 0, VM_OPT_FLAG, ROW(summary), "",
      "print how long a refresh takes, with its uncertainty, instead of the events", 0, 0},
     {"out", 'o', VM_OPT_STRING, ROW(out), "FILE", "where the lines go; default standard output", 0,
@@ -54,53 +57,59 @@ static int fail(int status, const struct crt_error *err)
     return vm_command_fail(&vm_command_trace, status, err);
 }
 
-static void print_word(void *ctx, uint64_t t, uint16_t address, uint16_t word, bool fetched,
-                       const struct df_dpu *dpu)
+static enum vm_trace_what what_of(const struct trace *t)
 {
-    FILE *out = ctx;
-    if (!fetched) {
-        fprintf(out, "# dpu %llu bus time-out at DPC=%06o\n", (unsigned long long)t, address);
-        return;
-    }
-    fprintf(out, "dpu %llu DPC=%06o WORD=%06o MPR=%06o XPR=%06o YPR=%06o\n", (unsigned long long)t,
-            address, word, df_dpu_read(dpu, DF_MPR), df_dpu_read(dpu, DF_XPR),
-            df_dpu_read(dpu, DF_YPR));
-}
-
-static void print_stroke(void *ctx, const struct crt_stroke *stroke)
-{
-    crt_beam_write_stroke(ctx, stroke);
+    static const char *const names[] = {"dpu", "beam", "cpu", "irq"};
+    int what = 0;
+    for (int i = 0; i < 4; i++)
+        if (t->o.what && strcmp(t->o.what, names[i]) == 0)
+            what = i;
+    return (enum vm_trace_what)what;
 }
 
 /* Where the trace ends by default; runs `rig`, which has no tube. */
-static int default_end(struct trace *t, struct vm_rig *rig, bool beam, uint64_t *end,
+static int default_end(struct trace *t, struct vm_rig *rig, uint64_t from, uint64_t *end,
                        struct crt_error *err)
 {
     static const struct vm_moment_options none = {{0}, {0}, NULL};
-    if (beam || t->input.is_recording)
-        return vm_moment_find(rig, &none, &t->settings, &t->input, end, err);
-    if (vm_machine_run_refresh(rig->machine, PATIENCE_PS))
+    enum vm_trace_what what = what_of(t);
+    if (what == VM_TRACE_BEAM || t->input.is_recording) {
+        int status = vm_moment_find(rig, &none, &t->settings, &t->input, end, err);
+        *end = *end > from ? *end : from + 1;
+        return status;
+    }
+    if (what == VM_TRACE_CPU || what == VM_TRACE_IRQ) {
+        *end = from + (what == VM_TRACE_CPU ? CRT_PS_PER_MS : VM_SETTLED_PS);
+        return VM_EXIT_OK;
+    }
+    vm_machine_run(rig->machine, from);
+    if (vm_machine_run_refresh(rig->machine, from + PATIENCE_PS))
         *end = rig->machine->now;
     else
-        *end = crt_tick_time(t->settings.tick, 1);
+        *end = from + crt_tick_time(t->settings.tick, 1);
     return VM_EXIT_OK;
 }
 
-static int find_end(struct trace *t, bool beam, uint64_t *end, struct crt_error *err)
+static int find_end(struct trace *t, uint64_t *from, uint64_t *end, struct crt_error *err)
 {
     struct vm_rig rig;
+    uint64_t length;
+    *from = 0;
+    if (t->o.from.given && !vm_time_ps(&t->o.from, t->settings.tick, from, err))
+        return VM_EXIT_USAGE;
     if (t->o.length.given) {
-        if (!vm_time_ps(&t->o.length, t->settings.tick, end, err))
+        if (!vm_time_ps(&t->o.length, t->settings.tick, &length, err))
             return VM_EXIT_USAGE;
-        if (*end == 0) {
+        if (length == 0) {
             crt_fail(err, "--for: nothing happens in no time; give a time above zero");
             return VM_EXIT_USAGE;
         }
+        *end = *from + length;
         return VM_EXIT_OK;
     }
     if (!vm_rig_open(&rig, &t->settings, &t->input, DF_TIMING_VALUE, NULL, err))
         return VM_EXIT_TROUBLE;
-    int status = default_end(t, &rig, beam, end, err);
+    int status = default_end(t, &rig, *from, end, err);
     vm_rig_close(&rig);
     return status;
 }
@@ -114,34 +123,42 @@ static void print_header(const struct trace *t, uint64_t end)
     crt_beam_write_header(t->out, &header);
 }
 
+/* Whether the program did what its trace is for. A trace of words, instructions or interrupts in the
+ * dark is a good trace. */
+static int judge(struct trace *t, struct vm_rig *rig, struct crt_error *err)
+{
+    struct crt_error trouble;
+    /* A program that has not lit the beam yet may still do so, after its first sync tick. */
+    if (rig->machine->strokes == 0 && !rig->board)
+        vm_machine_run(rig->machine, VM_SETTLED_PS);
+    enum vm_trouble found = vm_find_trouble(rig->machine, &t->input, &trouble);
+    if (found == VM_NO_TROUBLE || (found == VM_TROUBLE_DARK && what_of(t) != VM_TRACE_BEAM))
+        return VM_EXIT_OK;
+    *err = trouble;
+    return VM_EXIT_TROUBLE;
+}
+
 static int print_events(struct trace *t, struct crt_error *err)
 {
-    bool beam = t->o.what && strcmp(t->o.what, "beam") == 0;
-    struct vm_hooks hooks = {t->out, beam ? NULL : print_word, beam ? print_stroke : NULL};
-    struct crt_error trouble;
+    struct vm_trace_lines lines;
     struct vm_rig rig;
-    uint64_t end = 0;
-    int status = find_end(t, beam, &end, err);
+    uint64_t from, end = 0;
+    int status = find_end(t, &from, &end, err);
     if (status)
         return status;
     if (!vm_rig_open(&rig, &t->settings, &t->input, DF_TIMING_VALUE, NULL, err))
         return VM_EXIT_TROUBLE;
-    if (beam)
+    if (what_of(t) == VM_TRACE_BEAM)
         print_header(t, end);
+    vm_trace_lines_init(&lines, what_of(t), t->out, rig.board);
     struct vm_progress progress;
     vm_progress_begin(&progress);
-    vm_progress_trace(&progress, rig.machine, end, &hooks);
+    vm_progress_run(&progress, rig.machine, from);
+    vm_progress_trace(&progress, rig.machine, end, &lines.hooks);
     vm_progress_end(&progress);
-    /* A program that has not lit the beam yet may still do so, after its first sync tick. */
-    if (rig.machine->strokes == 0)
-        vm_machine_run(rig.machine, VM_SETTLED_PS);
-    enum vm_trouble found = vm_find_trouble(rig.machine, &t->input, &trouble);
+    status = judge(t, &rig, err);
     vm_rig_close(&rig);
-    /* A trace of words in the dark is a good trace. */
-    if (found == VM_NO_TROUBLE || (found == VM_TROUBLE_DARK && !beam))
-        return VM_EXIT_OK;
-    *err = trouble;
-    return VM_EXIT_TROUBLE;
+    return status;
 }
 
 static int trace(struct trace *t)
@@ -186,9 +203,13 @@ static int run(int argc, char **argv)
         free(report);
         return report ? VM_EXIT_TROUBLE : fail(VM_EXIT_TROUBLE, &err);
     }
-    bool words = t.o.summary || !t.o.what || strcmp(t.o.what, "dpu") == 0;
-    if (t.input.is_recording && words) {
+    enum vm_trace_what what = what_of(&t);
+    if (t.input.is_recording && (t.o.summary || what != VM_TRACE_BEAM)) {
         crt_fail(&err, "%s is a recording; it has no words, only --what beam", t.input.name);
+        status = fail(VM_EXIT_USAGE, &err);
+    } else if (!t.input.has_firmware && (what == VM_TRACE_CPU || what == VM_TRACE_IRQ)) {
+        crt_fail(&err, "--what %s needs firmware; %s runs without a processor", t.o.what,
+                 t.input.name);
         status = fail(VM_EXIT_USAGE, &err);
     } else {
         status = trace(&t);
@@ -199,15 +220,19 @@ static int run(int argc, char **argv)
 
 const struct vm_command vm_command_trace = {
     "trace",
-    "FILE [--what dpu|beam] [--summary]",
+    "FILE [--what dpu|beam|cpu|irq] [--summary]",
     "Print what the machine does, one line per event",
     "dpu <time_ps> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo: a word, fetched at "
     "that time "
     "from DPC, and the registers as read after it. --what beam is the .beam format: capture reads "
     "it back "
-    "to the same film.",
+    "to the same film. cpu <time_ps> PC=hhhhhhhh WORD=hhhhhhhh text effect: an instruction, begun "
+    "at that "
+    "time, and the register or memory it wrote.",
     "  kinescope trace roms/rose.df | head\n"
     "  kinescope trace roms/growing.df --summary --for 10s\n"
-    "  kinescope trace roms/rose.df --what beam -o rose.beam",
+    "  kinescope trace roms/rose.df --what beam -o rose.beam\n"
+    "  kinescope trace roms/hello.elf --what cpu | head\n"
+    "  kinescope trace roms/stops.elf --what irq --for 100ms",
     run,
 };

@@ -17,6 +17,13 @@ const struct vm_option vm_input_rows[VM_INPUT_ROWS] = {
      "FILE is a raw memory image of little-endian words; place it at this address", 0, 0},
     {"start", 0, VM_OPT_OCTAL, offsetof(struct vm_input_options, start), "OCTAL",
      "where a raw image starts; default its base", 0, 0},
+    {"firmware", 0, VM_OPT_STRING, offsetof(struct vm_input_options, firmware), "FILE.elf",
+     "firmware that runs the display file, instead of what .firmware in its source names", 0, 0},
+    {"type", 0, VM_OPT_STRING, offsetof(struct vm_input_options, type), "TEXT",
+     "type this on the firmware's console, then end of input (0x04); \\n \\r \\t \\e \\\\ \\xHH "
+     "are "
+     "understood",
+     0, 0},
 };
 
 char *vm_read_file(const char *path, size_t *length, struct crt_error *err)
@@ -134,6 +141,80 @@ static bool load_bytes(struct vm_input *in, const char *path, const char *kind,
     return ok;
 }
 
+/* ---- firmware -----------------------------------------------------------------------------------
+ */
+
+static bool load_firmware(struct vm_input *in, const char *path, struct crt_error *err)
+{
+    size_t length = 0;
+    char name[64];
+    in->image = vm_read_file(path, &length, err);
+    if (!in->image)
+        return false;
+    vm_base_name(path, name, sizeof name);
+    in->has_firmware = vm_elf_parse(&in->elf, name, (const uint8_t *)in->image, length, err);
+    return in->has_firmware;
+}
+
+/* The firmware that a display file wants: a name in its source is relative to the source. */
+static bool load_beside(struct vm_input *in, const char *path, const char *option,
+                        struct crt_error *err)
+{
+    char beside[4096];
+    const char *slash = strrchr(path, '/');
+    int folder = slash ? (int)(slash + 1 - path) : 0;
+    if (option)
+        return load_firmware(in, option, err);
+    if (!in->program.firmware[0])
+        return true;
+    if ((size_t)folder + sizeof in->program.firmware + sizeof ".elf" >= sizeof beside)
+        return crt_fail(err, "the name %.60s... is too long", path);
+    snprintf(beside, sizeof beside, "%.*s%s.elf", folder, path, in->program.firmware);
+    return load_firmware(in, beside, err);
+}
+
+static int hex_digit(char c)
+{
+    return c >= '0' && c <= '9'   ? c - '0'
+           : c >= 'a' && c <= 'f' ? c - 'a' + 10
+           : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                  : -1;
+}
+
+/* The byte that an escape at p (after the backslash) stands for, and how long it is; 0: none. */
+static size_t escape(const char *p, char *byte)
+{
+    static const char names[] = "nrte\\", bytes[] = "\n\r\t\033\\";
+    const char *found = *p ? strchr(names, *p) : NULL;
+    if (found) {
+        *byte = bytes[found - names];
+        return 1;
+    }
+    if (*p != 'x' || hex_digit(p[1]) < 0 || hex_digit(p[2]) < 0)
+        return 0;
+    *byte = (char)(hex_digit(p[1]) * 16 + hex_digit(p[2]));
+    return 3;
+}
+
+static bool take_typed(struct vm_input *in, const char *text, struct crt_error *err)
+{
+    if (!in->has_firmware)
+        return crt_fail(err, "--type: %s has no firmware that would read it", in->name);
+    in->typed = malloc(strlen(text) + 1);
+    if (!in->typed)
+        return crt_fail(err, "not enough memory for --type");
+    for (const char *p = text; *p; p++) {
+        char byte = *p;
+        size_t n = *p == '\\' ? escape(p + 1, &byte) : 0;
+        if (*p == '\\' && n == 0)
+            return crt_fail(err, "--type: '%.4s' is no escape; use \\n \\r \\t \\e \\\\ or \\xHH",
+                            p);
+        in->typed[in->typed_length++] = byte;
+        p += n;
+    }
+    return true;
+}
+
 /* ---- telling them apart -------------------------------------------------------------------------
  */
 
@@ -178,8 +259,8 @@ static bool unknown_kind(const char *path, struct crt_error *err)
 {
     return crt_fail(
         err,
-        "%.300s is of no known kind; kinescope reads .df source, .oct words, .lda tapes, "
-        ".beam recordings, and raw memory images with --base",
+        "%.300s is of no known kind; kinescope reads .df source, .oct words, .lda tapes, .elf "
+        "firmware, .beam recordings, and raw memory images with --base",
         path);
 }
 
@@ -203,18 +284,20 @@ bool vm_input_load(struct vm_input *in, const char *path, const struct vm_input_
         ok = crt_fail(err,
                       "%.300s is no raw memory image but a .%s file; leave out --base and --start",
                       path, kind);
+    else if (options->firmware && (strcmp(kind, "elf") == 0 || strcmp(kind, "beam") == 0))
+        ok = crt_fail(err, "--firmware is for display files; %.300s is none", path);
     else if (strcmp(kind, "elf") == 0)
-        ok = crt_fail(
-            err,
-            "%.300s is an ELF program, but this machine has no processor yet; give a display "
-            "file (.df, .oct, .lda)",
-            path);
+        ok = load_firmware(in, path, err);
     else if (strcmp(kind, "df") == 0)
         ok = load_source(in, path, err, report);
     else if (strcmp(kind, "beam") == 0)
         ok = load_recording(in, path, err);
     else
         ok = load_bytes(in, path, kind, options, err);
+    if (ok && in->program.words)
+        ok = load_beside(in, path, options->firmware, err);
+    if (ok && options->type)
+        ok = take_typed(in, options->type, err);
     if (!ok)
         vm_input_free(in);
     return ok;
@@ -223,18 +306,26 @@ bool vm_input_load(struct vm_input *in, const char *path, const struct vm_input_
 void vm_input_free(struct vm_input *in)
 {
     df_program_free(&in->program);
+    if (in->has_firmware)
+        vm_elf_free(&in->elf);
+    free(in->image);
+    free(in->typed);
     free(in->strokes);
     in->strokes = NULL;
-    in->count = 0;
+    in->image = in->typed = NULL;
+    in->has_firmware = false;
+    in->count = in->typed_length = 0;
 }
 
 const char *vm_input_tube(const struct vm_input *input)
 {
-    return !input->is_recording && input->program.tube[0] ? input->program.tube : NULL;
+    return input->program.words && input->program.tube[0] ? input->program.tube : NULL;
 }
 
 bool vm_input_insert(const struct vm_input *in, struct vm_machine *m, struct crt_error *err)
 {
+    if (in->has_firmware)
+        return vm_machine_boot(m, &in->elf, in->program.words ? &in->program : NULL, in->name, err);
     if (!in->is_recording)
         return vm_machine_load(m, &in->program, in->name, err);
     vm_machine_play(m, (struct vm_recording){in->strokes, in->count});

@@ -1,7 +1,11 @@
 /* input_file.h — what kinescope can be given to show: programs and recordings, told apart.
  *
- *      .df source   .oct words   .lda DEC absolute tape   raw image (--base) ─▶ program
+ *      .df source   .oct words   .lda DEC absolute tape   raw image (--base) ─▶ display file
+ *      .elf executable                                                      ─▶ firmware
  *      .beam recording                                                      ─▶ strokes
+ *
+ * A display file may have firmware beside it (--firmware, or .firmware in its source) that runs it;
+ * without, the stand-in does.
  *
  * Ownership:  vm_input_free releases what vm_input_load allocated.
  * Errors:     one sentence; for source with errors `report` also holds all of them (malloced, else
@@ -12,20 +16,28 @@
 
 #include "crt/beam_file.h"
 #include "display_file/program.h"
+#include "emu/board/elf.h"
 #include "emu/machine.h"
 #include "emu/options.h"
 
 struct vm_input_options {
     struct vm_octal base, start; /* of a raw image */
+    const char *firmware;        /* for a display file; NULL: what the file says */
+    const char *type;            /* typed on the console, with escapes; NULL: nothing */
 };
 
-#define VM_INPUT_ROWS 2
+#define VM_INPUT_ROWS 4
 extern const struct vm_option vm_input_rows[VM_INPUT_ROWS];
 
 struct vm_input {
     bool is_recording;
-    char name[64]; /* the file's base name, printable */
-    struct df_program program;
+    bool has_firmware;
+    char name[64];             /* the file's base name, printable */
+    struct df_program program; /* words NULL: there is no display file */
+    struct vm_elf elf;         /* the firmware, when it has some; it lies in `image` */
+    char *image;
+    char *typed; /* malloced, typed_length bytes; NULL: nothing */
+    size_t typed_length;
     struct crt_beam_header header;
     struct crt_stroke *strokes;
     size_t count;
@@ -38,7 +50,8 @@ void vm_input_free(struct vm_input *input);
 /* The tube the program was made for, as it says it; NULL when it does not. */
 const char *vm_input_tube(const struct vm_input *input);
 
-/* Loads it into a machine: words and entry, or the recording. */
+/* Loads it into a machine: words and entry, firmware, or the recording. The machine of an input with
+ * firmware must have a board. */
 bool vm_input_insert(const struct vm_input *input, struct vm_machine *m, struct crt_error *err);
 
 /* A file's bytes, malloced, with a NUL after them; NULL and a sentence. */

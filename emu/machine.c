@@ -1,112 +1,44 @@
 #include "emu/machine.h"
 
 #include <assert.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "display_file/df_regs.h"
-
-/* ---- wires --------------------------------------------------------------------------------------
- */
-
-static void count_stroke(struct vm_machine *m, const struct crt_stroke *stroke)
-{
-    m->strokes++;
-    m->lit += stroke->t1 - stroke->t0;
-    m->last_light = stroke->t1;
-    if (m->desc.tube)
-        crt_tube_stroke(m->desc.tube, stroke);
-}
-
-static void commit(void *ctx, const struct crt_stroke *stroke)
-{
-    count_stroke(ctx, stroke);
-}
-
-static void commit_traced(void *ctx, const struct crt_stroke *stroke)
-{
-    struct vm_machine *m = ctx;
-    count_stroke(m, stroke);
-    if (m->hooks.stroke)
-        m->hooks.stroke(m->hooks.ctx, stroke);
-}
-
-static void interrupt(void *ctx, enum df_interrupt line, bool level, uint64_t t)
-{
-    struct vm_interrupt *i = &((struct vm_machine *)ctx)->interrupt[line];
-    if (level && !i->pending) {
-        i->count++;
-        i->last_t = t;
-    }
-    i->pending = level;
-}
-
-static void bell(void *ctx, uint64_t t)
-{
-    (void)t;
-    ((struct vm_machine *)ctx)->bells++;
-}
+#include "emu/machine_parts.h"
 
 void vm_machine_init(struct vm_machine *m, const struct vm_machine_desc *desc)
 {
     memset(m, 0, sizeof *m);
     m->desc = *desc;
-    m->flow.head = VM_NO_HEAD;
+    m->entry = m->beside = VM_NO_ENTRY;
     m->ticks = 1;
     m->tick_time = crt_tick_time(desc->tick, 1);
+    vm_refreshes_init(&m->refreshes);
+    for (int line = 0; line < DF_INT_COUNT; line++)
+        m->interrupt[line].change = VM_NEVER;
     struct df_dpu_desc d = {
         .memory = m->memory,
         .memory_bytes = desc->memory_bytes,
         .screen = crt_tube_screen(desc->row),
         .timing = desc->timing,
-        .beam = {m, NULL, commit},
-        .wires = {m, interrupt, bell},
     };
+    vm_wire_dpu(m, &d);
     double low = desc->row->drive_low.value;
     for (int level = 0; level < 8; level++)
         d.drive[level] = low + (1 - low) * level / 7;
     df_dpu_init(&m->dpu, &d);
     df_dpu_reset(&m->dpu, 0);
+    if (desc->board)
+        vm_bus_connect(m);
 }
 
-/* ---- refreshes ----------------------------------------------------------------------------------
+/* ---- programs -----------------------------------------------------------------------------------
  */
 
-static void begin_refresh(struct vm_machine *m, uint64_t t)
-{
-    m->in_refresh = true;
-    m->current = (struct vm_refresh){.begin = t,
-                                     .words = m->dpu.words,
-                                     .instructions = m->dpu.instructions,
-                                     .strokes = m->strokes,
-                                     .lit = m->lit};
-}
-
-static void end_refresh(struct vm_machine *m, uint64_t t)
-{
-    uint64_t words = m->dpu.words - m->current.words;
-    if (!m->in_refresh)
-        return;
-    m->in_refresh = false;
-    if (words <= 1)
-        return;
-    m->refresh = (struct vm_refresh){.number = m->refresh.number + 1,
-                                     .begin = m->current.begin,
-                                     .end = t,
-                                     .words = words,
-                                     .instructions = m->dpu.instructions - m->current.instructions,
-                                     .strokes = m->strokes - m->current.strokes,
-                                     .lit = m->lit - m->current.lit};
-}
-
-static void start(struct vm_machine *m, uint64_t t)
-{
-    df_dpu_write(&m->dpu, DF_DPC, (uint16_t)m->entry, t);
-    if (m->flow.start_begins)
-        begin_refresh(m, m->dpu.t);
-}
-
-bool vm_machine_load(struct vm_machine *m, const struct df_program *program, const char *name,
-                     struct crt_error *err)
+/* Whether a display file fits. */
+static bool fits(const struct vm_machine *m, const struct df_program *program, const char *name,
+                 struct crt_error *err)
 {
     if (program->low >= program->high)
         return crt_fail(err, "%.200s holds no words; a display file needs at least one", name);
@@ -124,15 +56,47 @@ bool vm_machine_load(struct vm_machine *m, const struct df_program *program, con
             name, program->entry,
             (m->desc.memory_bytes < DF_ADDRESS_SPACE ? m->desc.memory_bytes : DF_ADDRESS_SPACE) -
                 2);
+    return true;
+}
+
+/* The words of `program` at power-on of the display processor. */
+static void insert(struct vm_machine *m, const struct df_program *program)
+{
     df_dpu_reset(&m->dpu, m->now);
-    m->in_refresh = false;
-    memcpy(m->memory, program->words, sizeof m->memory);
-    m->entry = program->entry & ~1u;
-    m->has_program = true;
+    if (program)
+        memcpy(m->memory, program->words, sizeof m->memory);
+    else
+        memset(m->memory, 0, sizeof m->memory);
     m->loaded = m->now;
     m->strokes_before = m->strokes;
-    m->flow = vm_flow_of(m->memory, m->desc.memory_bytes, m->entry);
-    start(m, m->now);
+}
+
+bool vm_machine_load(struct vm_machine *m, const struct df_program *program, const char *name,
+                     struct crt_error *err)
+{
+    if (!fits(m, program, name, err))
+        return false;
+    insert(m, program);
+    m->entry = program->entry & ~1u;
+    m->has_program = true;
+    vm_refreshes_flow(&m->refreshes, vm_flow_of(m->memory, m->desc.memory_bytes, m->entry));
+    vm_start(m, (uint16_t)m->entry, m->now);
+    return true;
+}
+
+bool vm_machine_boot(struct vm_machine *m, const struct vm_elf *elf,
+                     const struct df_program *display, const char *name, struct crt_error *err)
+{
+    assert(m->desc.board);
+    if (display && !fits(m, display, name, err))
+        return false;
+    insert(m, display);
+    m->has_program = false;
+    m->entry = VM_NO_ENTRY;
+    m->beside = display ? display->entry & ~1u : VM_NO_ENTRY;
+    vm_refreshes_flow(&m->refreshes, (struct vm_flow){.head = VM_NO_HEAD});
+    m->refreshes.declared = false;
+    vm_board_load(m->desc.board, elf);
     return true;
 }
 
@@ -142,153 +106,63 @@ void vm_machine_play(struct vm_machine *m, struct vm_recording recording)
     m->played = 0;
 }
 
-void vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m)
+bool vm_machine_exited(const struct vm_machine *m, int *status)
+{
+    if (!m->desc.board || !m->desc.board->finisher.done)
+        return false;
+    *status = m->desc.board->finisher.status;
+    return true;
+}
+
+/* ---- copies -------------------------------------------------------------------------------------
+ */
+
+/* A board in the same state; NULL: out of memory. */
+static struct vm_board *copy_board(struct vm_board *board)
+{
+    struct crt_error err;
+    struct crt_state state;
+    struct vm_board *copy = vm_board_create(board->clock, NULL, &err);
+    if (!copy)
+        return NULL;
+    for (int i = 0; i < board->cpu.rom_count; i++)
+        rv_protect(&copy->cpu, board->cpu.rom[i].low, board->cpu.rom[i].high);
+    crt_state_save(&state);
+    vm_board_state(board, &state);
+    bool ok = !state.failed;
+    if (ok) {
+        struct crt_state load;
+        crt_state_load(&load, state.out, state.size);
+        vm_board_state(copy, &load);
+        ok = !load.failed;
+    }
+    crt_state_free(&state);
+    if (ok)
+        return copy;
+    vm_board_destroy(copy);
+    return NULL;
+}
+
+bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m)
 {
     *copy = *m;
     copy->desc.tube = NULL;
+    copy->desc.console = NULL;
     copy->dpu.desc.memory = copy->memory;
     copy->dpu.desc.beam.ctx = copy;
     copy->dpu.desc.wires.ctx = copy;
+    if (!m->desc.board)
+        return true;
+    copy->desc.board = copy_board(m->desc.board);
+    if (!copy->desc.board)
+        return false;
+    vm_bus_connect(copy);
+    return true;
 }
 
-/* ---- time ---------------------------------------------------------------------------------------
- */
-
-/* What a refresh program would do when the tick interrupts it. */
-static void stand_in(struct vm_machine *m, uint64_t t)
+void vm_machine_forget(struct vm_machine *copy)
 {
-    struct df_dpu *dpu = &m->dpu;
-    if (!m->has_program || dpu->t > t)
-        return;
-    if (dpu->state == DF_STOPPED && m->desc.on_stop == VM_RESTART)
-        start(m, t);
-    else if (dpu->state == DF_WAITING_RESUME && !dpu->timeout)
-        df_dpu_write(dpu, DF_DPC, 1, t);
-}
-
-/* Tells the tube that time has passed; a tick may fall within a word after whose end we paused. */
-static void advance_tube(struct vm_machine *m, uint64_t t)
-{
-    if (m->desc.tube && t > m->advanced) {
-        crt_tube_advance(m->desc.tube, t);
-        m->advanced = t;
-    }
-}
-
-static void tick(struct vm_machine *m)
-{
-    uint64_t t = m->tick_time;
-    m->tick_time = crt_tick_time(m->desc.tick, ++m->ticks);
-    advance_tube(m, t);
-    bool waited = m->dpu.state == DF_WAITING_SYNC;
-    df_dpu_sync(&m->dpu, t);
-    if (waited && m->dpu.state == DF_RUNNING) {
-        if (m->flow.head == VM_NO_HEAD)
-            begin_refresh(m, m->dpu.t);
-        return;
-    }
-    stand_in(m, t);
-}
-
-/* The processor has stopped running: by a stop word, a sync word, an interrupt or a time-out. */
-static void pause_refresh(struct vm_machine *m)
-{
-    if (m->dpu.state == DF_STOPPED) {
-        m->stops++;
-        m->last_stop = m->dpu.t;
-    }
-    if (m->dpu.state == DF_STOPPED || m->dpu.state == DF_WAITING_SYNC)
-        end_refresh(m, m->dpu.t);
-}
-
-static void traced_step(struct vm_machine *m)
-{
-    uint64_t t = m->dpu.t;
-    uint16_t address = m->dpu.dpc;
-    bool fetched = address < m->desc.memory_bytes;
-    uint16_t word = fetched ? m->memory[address / 2] : 0;
-    df_dpu_step(&m->dpu);
-    if (m->hooks.word)
-        m->hooks.word(m->hooks.ctx, t, address, word, fetched, &m->dpu);
-}
-
-static inline void step(struct vm_machine *m, bool traced)
-{
-    if (m->dpu.dpc == m->flow.head && m->dpu.phase == 0) {
-        end_refresh(m, m->dpu.t);
-        begin_refresh(m, m->dpu.t);
-    }
-    if (traced)
-        traced_step(m);
-    else
-        df_dpu_step(&m->dpu);
-    if (m->dpu.state != DF_RUNNING)
-        pause_refresh(m);
-}
-
-static void play(struct vm_machine *m, uint64_t until, bool traced)
-{
-    const struct vm_recording *r = &m->recording;
-    for (; m->played < r->count && r->strokes[m->played].t0 < until; m->played++)
-        if (traced)
-            commit_traced(m, &r->strokes[m->played]);
-        else
-            count_stroke(m, &r->strokes[m->played]);
-}
-
-/* When to return before `until`. */
-enum pause { PAUSE_NEVER, PAUSE_AT_REFRESH, PAUSE_AT_STOP };
-
-/* The constant arguments are folded: vm_machine_run gets a loop without tests for the others. */
-static inline bool run(struct vm_machine *m, uint64_t until, bool traced, enum pause pause)
-{
-    uint64_t refreshes = m->refresh.number, stops = m->stops;
-    while (m->now < until) {
-        uint64_t limit = m->tick_time < until ? m->tick_time : until;
-        while (m->dpu.state == DF_RUNNING && m->dpu.t < limit) {
-            step(m, traced);
-            if ((pause == PAUSE_AT_REFRESH && m->refresh.number != refreshes) ||
-                (pause == PAUSE_AT_STOP && m->stops != stops)) {
-                m->now = m->dpu.t;
-                advance_tube(m, m->now);
-                return true;
-            }
-        }
-        play(m, limit, traced);
-        if (m->tick_time < until)
-            tick(m);
-        else
-            m->now = until;
-    }
-    advance_tube(m, m->now);
-    return false;
-}
-
-void vm_machine_run(struct vm_machine *m, uint64_t until)
-{
-    run(m, until, false, PAUSE_NEVER);
-}
-
-void vm_machine_trace(struct vm_machine *m, uint64_t until, const struct vm_hooks *hooks)
-{
-    m->hooks = *hooks;
-    m->dpu.desc.beam.commit = commit_traced;
-    run(m, until, true, PAUSE_NEVER);
-    m->dpu.desc.beam.commit = commit;
-}
-
-bool vm_machine_run_refresh(struct vm_machine *m, uint64_t limit)
-{
-    return run(m, limit, false, PAUSE_AT_REFRESH);
-}
-
-bool vm_machine_run_stop(struct vm_machine *m, uint64_t limit)
-{
-    return run(m, limit, false, PAUSE_AT_STOP);
-}
-
-void vm_machine_step(struct vm_machine *m)
-{
-    uint64_t t = m->dpu.state == DF_RUNNING ? m->dpu.t : m->tick_time;
-    vm_machine_run(m, (t > m->now ? t : m->now) + 1);
+    if (copy->desc.board)
+        vm_board_destroy(copy->desc.board);
+    copy->desc.board = NULL;
 }

@@ -1,23 +1,28 @@
 /* machine.h — the machine: what is wired to what, and in which order things happen.
  *
- *                       START, RESUME
- *      stand-in ───────────────────────▶┌─────┐ offer ▶ pen (none yet)
- *         ▲   display memory ──fetch───▶│ dpu │ commit ─┬─▶ tube (may be absent: nobody looks)
- *         └──────── interrupts ─────────└─────┘         └─▶ trace hooks
- *      sync ticks ──▶ dpu, stand-in, end of a tube epoch       ▲
- *      recording (.beam) ── strokes ───────────────────────────┘
+ *      board (processor, console, timer) ── DPU registers ──┐
+ *         │ ▲ interrupt lines 1–3          START, RESUME    ▼
+ *         │ └──────────────────────────────────────────── dpu ── offer ▶ pen ── commit ─┬▶ tube
+ *         └─ stores ─▶ display memory ─────────fetch───────▲                            └▶ hooks
+ *      sync ticks ──▶ dpu, stand-in, end of a tube epoch
+ *      recording (.beam) ── strokes ─────────────────────────────────────────────────────▲
  *
- * Models:     a vector head without a processor. The stand-in does what a refresh program would:
- *             when the display file has stopped it starts it again at the next sync tick (or not:
- *             VM_HALT), and resumes it at the next tick after a pen or character interrupt.
- *             Instead of a display processor a recording of beam pieces can drive the tube.
- * Time:       picoseconds since power-on. At equal times the tick comes before the word.
- * Refresh:    emu/flow.h. Refreshes are counted from 1 as they end.
- * Ownership:  the caller owns the struct (256 KiB: not for small stacks); the tube and what the
- *             desc points at must outlive it. Allocates nothing.
- * Errors:     vm_machine_load: one sentence. Guest trouble is a state of the display processor
- *             (emu/trouble.h puts it into words).
- * Not modelled: a CPU, a raster head, a light pen; bus contention.
+ * Models:     a vector head with or without a processor. Without one a stand-in does what a refresh
+ *             program would: when the display file has stopped it starts it again at the next sync
+ *             tick (or not: VM_HALT), and resumes it at the next tick after a pen or character
+ *             interrupt. Instead of a display processor a recording of beam pieces can drive the
+ *             tube.
+ * Time:       picoseconds since power-on. At equal times: tick, word, console, timer, processor. An
+ *             instruction begun at t comes after the word fetched at t; the words fetched after t
+ *             see what it stored. What the display processor reports (interrupt lines) rises when
+ *             the word that causes it is done; its registers show what the word leads to from its
+ *             fetch on.
+ * Refresh:    emu/refresh.h. Refreshes are counted from 1 as they end.
+ * Ownership:  the caller owns the struct (256 KiB: not for small stacks); board, console, tube and
+ *             what the desc points at must outlive it. Allocates nothing.
+ * Errors:     vm_machine_load: one sentence. Guest trouble is a state of the display processor or
+ *             the processor (emu/trouble.h puts it into words).
+ * Not modelled: a raster head, input devices; bus contention.
  */
 #ifndef EMU_MACHINE_H
 #define EMU_MACHINE_H
@@ -29,16 +34,12 @@
 #include "crt/tube.h"
 #include "display_file/dpu.h"
 #include "display_file/program.h"
+#include "emu/board/board.h"
+#include "emu/console.h"
 #include "emu/flow.h"
+#include "emu/refresh.h"
 
 enum vm_on_stop { VM_RESTART, VM_HALT };
-
-struct vm_refresh {
-    uint64_t number; /* 1… ; 0 = none yet */
-    uint64_t begin, end;
-    uint64_t words, instructions, strokes;
-    uint64_t lit; /* ps of beam on */
-};
 
 /* A recording: strokes in order of t0. */
 struct vm_recording {
@@ -53,6 +54,15 @@ struct vm_hooks {
     void (*word)(void *ctx, uint64_t t, uint16_t address, uint16_t word, bool fetched,
                  const struct df_dpu *dpu);                     /* may be NULL */
     void (*stroke)(void *ctx, const struct crt_stroke *stroke); /* may be NULL */
+    /* An interrupt line (IRQ_LINE_…) changes at t. May be NULL. */
+    void (*line)(void *ctx, uint64_t t, unsigned line, bool level);
+    const struct rv_hooks *processor; /* each instruction; may be NULL */
+};
+
+/* A light pen: df_beam's offer. */
+struct vm_pen {
+    void *ctx;
+    uint64_t (*offer)(void *ctx, const struct crt_stroke *stroke); /* NULL: there is no pen */
 };
 
 struct vm_machine_desc {
@@ -61,20 +71,28 @@ struct vm_machine_desc {
     struct crt_rate tick;
     uint32_t memory_bytes;
     enum vm_on_stop on_stop;
-    struct crt_tube *tube; /* NULL: nobody observes, so no light is computed */
+    struct crt_tube *tube;      /* NULL: nobody observes, so no light is computed */
+    struct vm_board *board;     /* NULL: no processor */
+    struct vm_console *console; /* far end of the board's UART; NULL: not connected */
+    struct vm_pen pen;
 };
 
+/* An interrupt of the display processor, and the line it drives on the board. */
 struct vm_interrupt {
-    bool pending;
+    bool pending; /* as the display processor has it */
     uint64_t count, last_t;
+    uint64_t change; /* when the line takes the level of `pending`; VM_NEVER: it has it */
 };
+
+#define VM_NEVER    UINT64_MAX
+#define VM_NO_ENTRY 0xFFFFFFFFu
 
 struct vm_machine {
     struct vm_machine_desc desc;
     struct df_dpu dpu;
-    bool has_program;
-    uint32_t entry;
-    struct vm_flow flow;
+    bool has_program; /* a display file that the stand-in looks after */
+    uint32_t entry;   /* of the display file; VM_NO_ENTRY: none was loaded or started */
+    uint32_t beside;  /* entry of the display file that lies beside firmware, or VM_NO_ENTRY */
     struct vm_recording recording;
     size_t played;                   /* strokes of the recording delivered */
     uint64_t loaded, strokes_before; /* when the program was, and the strokes until then */
@@ -87,9 +105,9 @@ struct vm_machine {
     uint64_t strokes, lit, last_light; /* pieces drawn; beam-on time; end of the last piece */
     uint64_t stops, last_stop;         /* stop words executed; when the last was done */
     uint64_t bells;
-    bool in_refresh;
-    struct vm_refresh current; /* being drawn; its counts are totals at its begin */
-    struct vm_refresh refresh; /* the last complete one */
+    uint64_t marks; /* marks set by the program */
+    uint32_t mark;  /* the last one's number */
+    struct vm_refreshes refreshes;
     struct vm_interrupt interrupt[DF_INT_COUNT];
     uint16_t memory[DF_MEMORY_BYTES / 2];
 };
@@ -100,25 +118,46 @@ void vm_machine_init(struct vm_machine *m, const struct vm_machine_desc *desc);
  * at the present time. `name` is for the sentence. Nothing has changed when it fails. */
 bool vm_machine_load(struct vm_machine *m, const struct df_program *program, const char *name,
                      struct crt_error *err);
+/* Firmware for the board, at the present time; `display` (or NULL) is a display file to lie beside
+ * it, which it finds by IDENTITY_ENTRY. */
+bool vm_machine_boot(struct vm_machine *m, const struct vm_elf *elf,
+                     const struct df_program *display, const char *name, struct crt_error *err);
 /* Plays a recording instead, from power-on. */
 void vm_machine_play(struct vm_machine *m, struct vm_recording recording);
 
-/* Everything that happens before `until`: words fetched and ticks; then the tube is advanced. */
+/* Everything that happens before `until`: words fetched, instructions, ticks; then the tube is
+ * advanced. */
 void vm_machine_run(struct vm_machine *m, uint64_t until);
 /* The same with hooks: a loop of its own, so that the other has no test for them. */
 void vm_machine_trace(struct vm_machine *m, uint64_t until, const struct vm_hooks *hooks);
+/* The same with the processor's hooks only: true when `before` stopped it; m->now is then when the
+ * instruction would begin. */
+bool vm_machine_watch(struct vm_machine *m, uint64_t until, const struct rv_hooks *hooks);
 
-/* Runs until one more refresh is complete, or to `limit`. True when one was; m->now is then its
- * end. */
-bool vm_machine_run_refresh(struct vm_machine *m, uint64_t limit);
-/* Runs until one more stop word was executed, or to `limit`. */
-bool vm_machine_run_stop(struct vm_machine *m, uint64_t limit);
-/* A copy that goes on alone, without the tube: for looking ahead. */
-void vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m);
-/* Executes one word (or, when the processor waits, goes on to the next tick): a single step. */
+/* Each of these runs to a moment, or to `limit`: true when it came; m->now is then that moment. */
+bool vm_machine_run_refresh(struct vm_machine *m, uint64_t limit); /* one more is complete */
+bool vm_machine_run_stop(struct vm_machine *m, uint64_t limit);    /* one more stop word is done */
+bool vm_machine_run_console(struct vm_machine *m, uint64_t limit); /* the console's watch fires */
+bool vm_machine_run_mark(struct vm_machine *m, uint32_t mark, uint64_t limit);
+bool vm_machine_run_end(struct vm_machine *m, uint64_t limit); /* the firmware ends or is lost */
+/* rv_retired() is `retired`, at once when it is that or more already. */
+bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t limit);
+/* m->dpu.words is `words`. */
+bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit);
+
+/* A copy that goes on alone, without tube and console: for looking ahead. `copy` need not be
+ * initialised; vm_machine_forget frees what the copy of a board took. False: out of memory. */
+bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m);
+void vm_machine_forget(struct vm_machine *copy);
+
+/* Executes one word (or, when the display processor waits, goes on to the next tick): a single
+ * step. */
 void vm_machine_step(struct vm_machine *m);
 
-/* All of the machine but its tube, between two events. When the machine has a tube, that must have
+/* The firmware has ended itself; with which exit status. */
+bool vm_machine_exited(const struct vm_machine *m, int *status);
+
+/* All of the machine but its tube, between two events: board and console, too. When the machine has a tube, that must have
  * been loaded before, and belong to the same instant. A machine whose loading failed is fit to be
  * initialised or loaded again, for nothing else. */
 void vm_machine_state(struct vm_machine *m, struct crt_state *s);

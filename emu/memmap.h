@@ -25,36 +25,36 @@
 #define FINISHER_FAIL     0x3333 /* | code << 16: the code's low 8 bits, or 255 where those are 0 */
 
 /* Core-local interruptor: software interrupt and timer. */
-#define MAP_CLINT         0x02000000
-#define MAP_CLINT_SIZE    0x10000
-#define CLINT_MSIP        0x0000 /* bit 0: software interrupt */
-#define CLINT_MTIMECMP    0x4000 /* low word; high word at + 4. Timer interrupt: mtime >= mtimecmp */
-#define CLINT_MTIME       0xBFF8 /* low word; high word at + 4 */
-#define CLINT_HZ          10000000
+#define MAP_CLINT      0x02000000
+#define MAP_CLINT_SIZE 0x10000
+#define CLINT_MSIP     0x0000 /* bit 0: software interrupt */
+#define CLINT_MTIMECMP 0x4000 /* low word; high word at + 4. Timer interrupt: mtime >= mtimecmp */
+#define CLINT_MTIME    0xBFF8 /* low word; high word at + 4 */
+#define CLINT_HZ       10000000
 
 /* Console: 16550A registers, a byte each. */
-#define MAP_UART          0x10000000
-#define MAP_UART_SIZE     0x100
+#define MAP_UART      0x10000000
+#define MAP_UART_SIZE 0x100
 
 /* Display processor: df_regs.h offsets, 16 bits each. */
-#define MAP_DPU           0x40000000
-#define MAP_DPU_SIZE      0x1000
+#define MAP_DPU      0x40000000
+#define MAP_DPU_SIZE 0x1000
 
 /* Interrupt controller: lines to the external interrupt of the processor. Level-triggered. */
-#define MAP_IRQ           0x40040000
-#define MAP_IRQ_SIZE      0x1000
-#define IRQ_PENDING       0x00 /* read: bit n = line n is high, enabled or not */
-#define IRQ_ENABLE        0x04 /* bit n = line n may interrupt */
-#define IRQ_CLAIM         0x08 /* read: the lowest line that is high and enabled, 0 = none */
-#define IRQ_LINE_STOP     1
-#define IRQ_LINE_PEN      2
-#define IRQ_LINE_CHAR     3
-#define IRQ_LINE_NAME     4
-#define IRQ_LINE_RETRACE  5
-#define IRQ_LINE_COMPARE  6
-#define IRQ_LINE_INPUT    7
-#define IRQ_LINE_UART     8
-#define IRQ_LINES         9 /* 0 is no line */
+#define MAP_IRQ          0x40040000
+#define MAP_IRQ_SIZE     0x1000
+#define IRQ_PENDING      0x00 /* read: bit n = line n is high, enabled or not */
+#define IRQ_ENABLE       0x04 /* bit n = line n may interrupt */
+#define IRQ_CLAIM        0x08 /* read: the lowest line that is high and enabled, 0 = none */
+#define IRQ_LINE_STOP    1
+#define IRQ_LINE_PEN     2
+#define IRQ_LINE_CHAR    3
+#define IRQ_LINE_NAME    4
+#define IRQ_LINE_RETRACE 5
+#define IRQ_LINE_COMPARE 6
+#define IRQ_LINE_INPUT   7
+#define IRQ_LINE_UART    8
+#define IRQ_LINES        9 /* 0 is no line */
 
 /* Identity, and what a program tells the machine's observers. */
 #define MAP_IDENTITY      0x40050000
@@ -67,15 +67,16 @@
 #define IDENTITY_CLOCK    0x10 /* read: nominal clock of the processor, Hz */
 #define IDENTITY_TICK     0x14 /* read: sync ticks since power-on, modulo 2^32 */
 #define IDENTITY_MARK     0x18 /* write: number of a mark that an observer may wait for */
-#define IDENTITY_REFRESH  0x1C /* write: a refresh begins here. From the first such store on, only \
+#define IDENTITY_REFRESH                                                                           \
+    0x1C /* write: a refresh begins here. From the first such store on, only \
                                   these bound refreshes, not START and stop */
 
 /* Display memory: the DPU's address 0 is here. */
-#define MAP_DISPLAY       0x41000000
-#define MAP_DISPLAY_SIZE  0x40000
+#define MAP_DISPLAY      0x41000000
+#define MAP_DISPLAY_SIZE 0x40000
 
 /* Program memory: the only place code can run from. */
-#define MAP_PROGRAM       0x80000000
-#define MAP_PROGRAM_SIZE  0x01000000
+#define MAP_PROGRAM      0x80000000
+#define MAP_PROGRAM_SIZE 0x01000000
 
 #endif

@@ -13,47 +13,68 @@ const struct vm_option vm_moment_rows[VM_MOMENT_ROWS] = {
     {"at", 0, VM_OPT_TIME, ROW(at), "T", "the moment of the picture: 16.7ms, 0.5s, 3f (sync ticks)",
      0, 0},
     {"when", 0, VM_OPT_STRING, ROW(when), "EVENT",
-     "stop:N or refresh:N, the end of the N-th stop word or refresh; default: the end of the first "
+     "stop:N or refresh:N, the end of the N-th stop word or refresh; of firmware also mark:N, when "
+     "it "
+     "sets that mark, or console:TEXT, when it has printed that; default: the end of the first "
      "complete refresh after 0.5 s",
      0, 0},
     {"timeout", 0, VM_OPT_TIME, ROW(timeout), "T",
      "give up, with status 3, when --when has not come by then; default 60s", 0, 0},
 };
 
-enum event { EVENT_STOP, EVENT_REFRESH };
+enum event { EVENT_STOP, EVENT_REFRESH, EVENT_MARK, EVENT_CONSOLE };
 
 static bool parse_event(const char *text, enum event *event, long *number, struct crt_error *err)
 {
+    static const char *const names[] = {"stop:", "refresh:", "mark:", "console:"};
     struct crt_error why;
-    size_t n = strcspn(text, ":");
-    if (strncmp(text, "console:", 8) == 0 || strncmp(text, "mark:", 5) == 0)
-        return crt_fail(err,
-                        "--when %.*s needs a processor with firmware, which this machine does not "
-                        "have yet; use stop:N or refresh:N",
-                        (int)n, text);
-    if (strncmp(text, "stop:", 5) == 0)
-        *event = EVENT_STOP;
-    else if (strncmp(text, "refresh:", 8) == 0)
-        *event = EVENT_REFRESH;
-    else
-        return crt_fail(err, "--when: '%.60s' is not an event; use stop:N or refresh:N", text);
-    if (!vm_parse_integer(text + n + 1, 1, 1000000000, number, &why))
+    size_t n = strcspn(text, ":") + 1;
+    int found = -1;
+    for (int i = 0; i < 4; i++)
+        if (strncmp(text, names[i], strlen(names[i])) == 0)
+            found = i;
+    if (found < 0)
+        return crt_fail(
+            err, "--when: '%.60s' is not an event; use stop:N, refresh:N, mark:N or console:TEXT",
+            text);
+    *event = (enum event)found;
+    if (*event == EVENT_CONSOLE)
+        return (text[n] && strlen(text + n) < VM_CONSOLE_WATCH_MAX) ||
+               crt_fail(err, "--when: give 1 to %d characters to wait for on the console",
+                        VM_CONSOLE_WATCH_MAX - 1);
+    if (!vm_parse_integer(text + n, *event == EVENT_MARK ? 0 : 1, 1000000000, number, &why))
         return crt_fail(err, "--when: %.400s", why.text);
     return true;
+}
+
+static bool run_to_event(struct vm_machine *m, enum event event, long number, uint64_t timeout)
+{
+    bool found = true;
+    if (event == EVENT_CONSOLE)
+        return vm_machine_run_console(m, timeout);
+    if (event == EVENT_MARK)
+        return vm_machine_run_mark(m, (uint32_t)number, timeout);
+    for (long i = 0; i < number && found; i++)
+        found = event == EVENT_STOP ? vm_machine_run_stop(m, timeout)
+                                    : vm_machine_run_refresh(m, timeout);
+    return found;
 }
 
 static int find_event(struct vm_machine *m, const char *when, uint64_t timeout, uint64_t *moment,
                       struct crt_error *err)
 {
     enum event event;
-    long number;
+    long number = 0;
     char text[32];
-    bool found = true;
     if (!parse_event(when, &event, &number, err))
         return 2;
-    for (long i = 0; i < number && found; i++)
-        found = event == EVENT_STOP ? vm_machine_run_stop(m, timeout)
-                                    : vm_machine_run_refresh(m, timeout);
+    if ((event == EVENT_CONSOLE || event == EVENT_MARK) && !m->desc.board) {
+        crt_fail(err, "--when %.60s needs firmware; a display file has stop:N and refresh:N", when);
+        return 2;
+    }
+    if (event == EVENT_CONSOLE)
+        vm_console_watch(m->desc.console, when + strlen("console:"));
+    bool found = run_to_event(m, event, number, timeout);
     *moment = m->now;
     if (found && m->now <= timeout)
         return 0;
@@ -71,8 +92,8 @@ static int find_refresh(struct vm_machine *m, const struct vm_time *timeout, uin
     char text[32];
     *moment = VM_SETTLED_PS;
     while (vm_machine_run_refresh(m, limit))
-        if (m->refresh.begin >= VM_SETTLED_PS) {
-            *moment = m->refresh.end;
+        if (m->refreshes.last.begin >= VM_SETTLED_PS) {
+            *moment = m->refreshes.last.end;
             return 0;
         }
     if (!timeout->given)

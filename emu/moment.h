@@ -2,6 +2,8 @@
  *
  *      --at T                     that time
  *      --when stop:N | refresh:N  end of the N-th stop word or refresh
+ *      --when mark:N              the firmware's store of N to IDENTITY_MARK
+ *      --when console:TEXT        the end of the last byte of TEXT on the console
  *      neither                    end of the first complete refresh that begins at 0.5 s or later;
  *                                 of a recording its end
  *

@@ -4,6 +4,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "emu/quantity.h"
+
 #define QUIET_S 1.0 /* shorter work needs no line */
 #define EVERY_S 0.2
 
@@ -49,9 +51,12 @@ void vm_progress_pictures(struct vm_progress *p, uint64_t done, uint64_t all)
 
 static void say_time(struct vm_progress *p, const struct vm_machine *m, uint64_t until)
 {
-    if (due(p))
-        fprintf(stderr, "\r\033[K%.2f s of %.2f s simulated", (double)m->now / (double)CRT_PS_PER_S,
-                (double)until / (double)CRT_PS_PER_S);
+    if (!due(p))
+        return;
+    fprintf(stderr, "\r\033[K%.2f s ", (double)m->now / (double)CRT_PS_PER_S);
+    if (until <= VM_TIME_MAX_PS)
+        fprintf(stderr, "of %.2f s ", (double)until / (double)CRT_PS_PER_S);
+    fputs("simulated", stderr);
 }
 
 static uint64_t piece(const struct vm_machine *m, uint64_t until)
@@ -66,6 +71,16 @@ void vm_progress_run(struct vm_progress *p, struct vm_machine *m, uint64_t until
         say_time(p, m, until);
     }
     vm_machine_run(m, until);
+}
+
+bool vm_progress_run_end(struct vm_progress *p, struct vm_machine *m, uint64_t limit)
+{
+    while (p && p->shown && m->now < limit) {
+        if (vm_machine_run_end(m, piece(m, limit)))
+            return true;
+        say_time(p, m, limit);
+    }
+    return vm_machine_run_end(m, limit);
 }
 
 void vm_progress_trace(struct vm_progress *p, struct vm_machine *m, uint64_t until,

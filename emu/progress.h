@@ -19,8 +19,9 @@ void vm_progress_end(struct vm_progress *p); /* clears the line */
 
 void vm_progress_pictures(struct vm_progress *p, uint64_t done, uint64_t all);
 
-/* vm_machine_run and vm_machine_trace, saying how far they are; `p` may be NULL. */
+/* vm_machine_run, vm_machine_run_end and vm_machine_trace, saying how far they are; `p` may be NULL. */
 void vm_progress_run(struct vm_progress *p, struct vm_machine *m, uint64_t until);
+bool vm_progress_run_end(struct vm_progress *p, struct vm_machine *m, uint64_t limit);
 void vm_progress_trace(struct vm_progress *p, struct vm_machine *m, uint64_t until,
                        const struct vm_hooks *hooks);
 

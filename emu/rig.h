@@ -1,4 +1,5 @@
-/* rig.h — a machine with its program and, when somebody looks, its tube: made and freed together.
+/* rig.h — a machine with its program and, when somebody looks, its tube; with firmware a board and a
+ * console, too: made and freed together.
  *
  * Ownership:  vm_rig_open allocates, vm_rig_close frees; settings and input must outlive the rig.
  * Errors:     one sentence.
@@ -12,7 +13,9 @@
 
 struct vm_rig {
     struct vm_machine *machine;
-    struct crt_tube *tube; /* NULL: nobody looks */
+    struct crt_tube *tube;      /* NULL: nobody looks */
+    struct vm_board *board;     /* NULL: the program has no firmware */
+    struct vm_console *console; /* the same; its desc is for the front end to fill in */
 };
 
 /* `tube` may be NULL: then no light is computed. */

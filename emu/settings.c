@@ -269,7 +269,12 @@ struct vm_machine_desc vm_settings_machine(const struct vm_settings *s,
 {
     struct df_timing timing = df_timing_of_tube(&s->row, choice);
     timing.average_ps = s->average_ps;
-    return (struct vm_machine_desc){&s->row, timing, s->tick, s->memory_bytes, s->on_stop, tube};
+    return (struct vm_machine_desc){.row = &s->row,
+                                    .timing = timing,
+                                    .tick = s->tick,
+                                    .memory_bytes = s->memory_bytes,
+                                    .on_stop = s->on_stop,
+                                    .tube = tube};
 }
 
 struct crt_tube_desc vm_settings_tube(const struct vm_settings *s)

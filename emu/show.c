@@ -6,10 +6,12 @@
 #include <string.h>
 
 #include "emu/command.h"
+#include "emu/debug/gdb_machine.h"
 #include "emu/trouble.h"
 
 #define LONGEST_FRAME_S 0.05 /* a late frame does not make the machine hurry after it */
 #define IDLE_S          0.05 /* how long a paused window sleeps between looks at the file */
+#define DEBUGGER_MS     4    /* how long a held machine waits for a silent debugger, each frame */
 #define POLL_S          0.3
 #define ROM_S           12.0
 
@@ -36,16 +38,37 @@ static double frame_seconds(struct vm_show *show, double now)
     return elapsed;
 }
 
-/* Runs the machine to `until` with the film open. */
+/* Runs the machine to `until`, or as far as a debugger lets it. */
+static void run_machine(struct vm_show *show, uint64_t until)
+{
+    struct vm_machine *m = show->program->rig.machine;
+    struct vm_gdb *gdb = show->desc->gdb;
+    if (gdb && m->desc.board) {
+        struct vm_gdb_target target = vm_gdb_machine(m);
+        if (vm_gdb_run(gdb, &target, until, DEBUGGER_MS) != VM_GDB_OVER)
+            return;
+        show->quit |= vm_gdb_killed(gdb);
+    }
+    vm_machine_run(m, until);
+}
+
+/* The same with the film open. */
 static void expose(struct vm_show *show, uint64_t until)
 {
     struct vm_machine *m = show->program->rig.machine;
-    if (until <= m->now)
+    struct crt_film *film = &show->program->film, before = *film;
+    uint64_t from = m->now;
+    if (until <= from)
         return;
-    crt_film_open(show->program->rig.tube, &show->program->film, m->now, until);
-    vm_machine_run(m, until);
-    crt_glass_film(show->glass, &show->program->film, &show->program->settings.phosphor);
-    show->film_ready = true;
+    crt_film_open(show->program->rig.tube, film, from, until);
+    run_machine(show, until);
+    show->film_ready = film->complete || crt_film_end(show->program->rig.tube, film);
+    if (show->film_ready) {
+        crt_glass_film(show->glass, film, &show->program->settings.phosphor);
+    } else if (m->now == from) { /* it stands: what was gathered before is what there is to see */
+        *film = before;
+        show->film_ready = film->complete;
+    }
 }
 
 /* When the next refresh is complete, found on a copy of the machine that has no tube. */
@@ -56,9 +79,9 @@ static uint64_t next_refresh(const struct vm_show *show)
     struct vm_machine *copy = malloc(sizeof *copy);
     if (!copy)
         return tick;
-    vm_machine_copy(copy, m);
-    if (vm_machine_run_refresh(copy, m->now + CRT_PS_PER_S))
+    if (vm_machine_copy(copy, m) && vm_machine_run_refresh(copy, m->now + CRT_PS_PER_S))
         end = copy->now;
+    vm_machine_forget(copy);
     free(copy);
     return end;
 }
@@ -67,7 +90,8 @@ static uint64_t next_refresh(const struct vm_show *show)
 static void skip_idle(struct vm_show *show)
 {
     const struct vm_machine *m = show->program->rig.machine;
-    for (int ticks = 0; ticks < 100 && m->has_program && m->dpu.state != DF_RUNNING; ticks++)
+    for (int ticks = 0;
+         ticks < 100 && (m->has_program || m->desc.board) && m->dpu.state != DF_RUNNING; ticks++)
         expose(show, m->tick_time + 1);
 }
 
@@ -81,7 +105,7 @@ static void run_frame(struct vm_show *show, double now)
     } else if (show->step) {
         show->step = false;
         /* A refresh that has begun is finished first, so that a whole one is seen. */
-        if (m->in_refresh && m->current.begin < m->now)
+        if (m->refreshes.running && m->refreshes.current.begin < m->now)
             vm_machine_run_refresh(m, m->now + CRT_PS_PER_S);
         expose(show, next_refresh(show));
     } else if (!show->paused) {
@@ -89,6 +113,8 @@ static void run_frame(struct vm_show *show, double now)
         uint64_t whole = (uint64_t)ps;
         show->remainder_ps = ps - (double)whole;
         expose(show, m->now + whole);
+    } else if (show->desc->gdb) {
+        run_machine(show, m->now); /* the debugger may ask */
     }
     uint64_t length;
     struct crt_error err;
@@ -115,6 +141,15 @@ static void draw(struct vm_show *show, double now)
     vm_window_swap(show->window);
 }
 
+static void look_after_console(struct vm_show *show)
+{
+    const struct vm_machine *m = show->program->rig.machine;
+    int status;
+    vm_terminal_poll(&show->terminal, show->program->rig.console, m->now, 0);
+    if (show->terminal.left || vm_machine_exited(m, &status))
+        show->quit = true;
+}
+
 static void look_after_program(struct vm_show *show, double now)
 {
     struct crt_error err;
@@ -125,10 +160,14 @@ static void look_after_program(struct vm_show *show, double now)
     if (show->touring && !show->paused && now - show->rom_since >= ROM_S &&
         !vm_show_tour(show, 1, &err))
         vm_show_say(show, err.text);
+    if (show->desc->console && show->program->rig.console)
+        look_after_console(show);
     if (!show->trouble_shown &&
         show->program->rig.machine->now >= show->program->rig.machine->loaded + CRT_PS_PER_S / 2) {
         show->trouble_shown = true;
-        if (vm_find_trouble(show->program->rig.machine, &show->program->input, &err))
+        enum vm_trouble trouble =
+            vm_find_trouble(show->program->rig.machine, &show->program->input, &err);
+        if (trouble && !(trouble == VM_TROUBLE_DARK && show->program->input.has_firmware))
             vm_hud_message(show->hud, err.text, now, 10);
     }
 }
@@ -170,11 +209,12 @@ static bool open_all(struct vm_show *show, struct crt_error *err)
         return false;
     if (d->full_screen)
         vm_window_set_full_screen(show->window, true);
-    return true;
+    return !d->console || vm_terminal_open(&show->terminal, err);
 }
 
 static void close_all(struct vm_show *show)
 {
+    vm_terminal_close(&show->terminal);
     vm_show_close(show->program);
     if (show->hud)
         vm_hud_destroy(show->hud);
@@ -190,8 +230,10 @@ static bool check_program(const struct vm_show_desc *d, struct crt_error *err)
     struct vm_input input;
     char *report;
     if (vm_input_load(&input, d->path, d->input, err, &report)) {
+        bool ok = !d->gdb || input.has_firmware ||
+                  crt_fail(err, "--gdb: %s has no firmware to debug", input.name);
         vm_input_free(&input);
-        return true;
+        return ok;
     }
     if (report) {
         fputs(report, stderr);
@@ -220,8 +262,11 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
         show->last_time = vm_window_time();
         loop(show);
     }
+    int status = ok ? VM_EXIT_OK : VM_EXIT_TROUBLE;
+    if (ok)
+        vm_machine_exited(show->program->rig.machine, &status);
     if (show)
         close_all(show);
     free(show);
-    return ok ? VM_EXIT_OK : VM_EXIT_TROUBLE;
+    return status;
 }

@@ -8,15 +8,18 @@
  *             whole number of them counts as that number: exposures of a steady display are equal.
  * Ownership:  vm_show does all in one call.
  * Errors:     an exit status and one sentence. Trouble with a program is shown on the glass; it
- *             does not end the show.
+ *             does not end the show. Nor does firmware that ends itself, unless its console is a
+ *             terminal: somebody waits there; its exit status is the show's.
  */
 #ifndef EMU_SHOW_H
 #define EMU_SHOW_H
 
+#include "emu/debug/gdb_server.h"
 #include "emu/hud.h"
 #include "emu/picture.h"
 #include "emu/rig.h"
 #include "emu/roms.h"
+#include "emu/terminal.h"
 #include "emu/window.h"
 
 struct vm_show_desc {
@@ -29,6 +32,8 @@ struct vm_show_desc {
     bool full_screen;
     double scale;          /* simulated seconds a second */
     struct vm_time length; /* close after this much simulated time, when given */
+    bool console;          /* firmware's console is stdin and stdout */
+    struct vm_gdb *gdb;    /* a debugger may come here; NULL: none */
 };
 
 int vm_show(const struct vm_show_desc *desc, struct crt_error *err);
@@ -80,6 +85,8 @@ struct vm_show {
     double rate_hz;
     bool trouble_shown;
     int shots;
+
+    struct vm_terminal terminal; /* with desc->console */
 };
 
 /* Shows `path` in place of what is shown; keeps the old one and says why when it cannot. `tube` may

@@ -65,8 +65,7 @@ void vm_show_close(struct vm_shown *program)
 }
 
 /* Tube, machine and film for an input that has been loaded. */
-static bool build(const struct vm_show *show, struct vm_shown *p, const char *tube,
-                  struct crt_error *err)
+static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, struct crt_error *err)
 {
     const struct vm_show_desc *d = show->desc;
     const struct crt_beam_header *header = p->input.is_recording ? &p->input.header : NULL;
@@ -77,11 +76,14 @@ static bool build(const struct vm_show *show, struct vm_shown *p, const char *tu
     if (show->knobs_touched)
         p->settings.knobs = show->knobs;
     struct crt_tube_desc desc = vm_settings_tube(&p->settings);
-    return vm_rig_open(&p->rig, &p->settings, &p->input, DF_TIMING_VALUE, &desc, err) &&
-           crt_film_init(&p->film, p->rig.tube, err);
+    if (!vm_rig_open(&p->rig, &p->settings, &p->input, DF_TIMING_VALUE, &desc, err))
+        return false;
+    if (d->console && p->rig.console)
+        p->rig.console->desc = vm_terminal_console(&show->terminal);
+    return crt_film_init(&p->film, p->rig.tube, err);
 }
 
-static struct vm_shown *prepare(const struct vm_show *show, const char *path, const char *tube,
+static struct vm_shown *prepare(struct vm_show *show, const char *path, const char *tube,
                                 struct crt_error *err)
 {
     struct vm_shown *p = calloc(1, sizeof *p);
@@ -159,8 +161,10 @@ void vm_show_reload(struct vm_show *show, bool force)
         vm_hud_message(show->hud, err.text, vm_window_time(), 20);
         return;
     }
-    if (input.is_recording || !same_tube(show, &input)) {
-        /* A recording has times of its own, another tube its own light: power-on again. */
+    if (input.is_recording || input.has_firmware || show->program->input.has_firmware ||
+        !same_tube(show, &input)) {
+        /* A recording has times of its own, firmware a console, another tube its own light:
+         * power-on again. */
         vm_input_free(&input);
         if (vm_show_open(show, show->path, NULL, &err))
             vm_show_say(show, "loaded again");

@@ -9,7 +9,7 @@
 /* Refreshes a simulated second, since the last look. */
 static void measure_rate(struct vm_show *show)
 {
-    const struct vm_refresh *r = &show->program->rig.machine->refresh;
+    const struct vm_refresh *r = &show->program->rig.machine->refreshes.last;
     if (show->rate_number && r->number > show->rate_number && r->end > show->rate_end)
         show->rate_hz = (double)(r->number - show->rate_number) * (double)CRT_PS_PER_S /
                         (double)(r->end - show->rate_end);
@@ -45,7 +45,12 @@ static void describe_scale(const struct vm_show *show, char *text, size_t size)
 
 static const char *describe_state(const struct vm_machine *m)
 {
-    if (!m->has_program)
+    int status;
+    if (vm_machine_exited(m, &status))
+        return status ? " - ended in failure" : " - ended";
+    if (m->desc.board && m->desc.board->cpu.state == RV_HALTED)
+        return " - lost in a trap";
+    if (!m->has_program && !m->desc.board)
         return m->played == m->recording.count ? " - end of recording" : "";
     if (m->dpu.illegal)
         return " - hangs on an illegal word";
@@ -100,7 +105,7 @@ void vm_show_status(struct vm_show *show, double now)
                                      .scale = scale,
                                      .state = describe_state(m),
                                      .rate_hz = show->rate_hz,
-                                     .words = m->refresh.words};
+                                     .words = m->refreshes.last.words};
     vm_window_size(show->window, &width, &height);
     vm_status_text(&status, vm_hud_columns(width, height), text, sizeof text);
     vm_hud_status(show->hud, text);

@@ -56,11 +56,11 @@ static bool measure(const struct vm_settings *s, const struct vm_input *input,
     /* Without a length the figures are of the first refresh; the second gives the rate. */
     while ((length || result->periods == 0) &&
            vm_machine_run_refresh(m, length ? length : PATIENCE_PS)) {
-        add_period(result, &m->refresh, result->refreshes == 0);
+        add_period(result, &m->refreshes.last, result->refreshes == 0);
         if (length || result->refreshes == 0)
-            add(result, &m->refresh, crt_tick_time(s->tick, 1));
+            add(result, &m->refreshes.last, crt_tick_time(s->tick, 1));
     }
-    result->flow = m->flow;
+    result->flow = m->refreshes.flow;
     if (result->refreshes == 0 && !vm_find_trouble(m, input, err))
         crt_fail(err, "%s completes no refresh in that time; it has no end and does not come round",
                  input->name);

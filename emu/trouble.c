@@ -2,6 +2,8 @@
 
 #include <stdio.h>
 
+#include "emu/cpu/rv_disasm.h"
+
 /* "02002 (star.df:12)": an address and where its word was written. */
 static void place(const struct vm_input *input, uint32_t address, char *text, size_t size)
 {
@@ -24,8 +26,9 @@ static void explain_dark(const struct vm_machine *m, const struct vm_input *inpu
     vm_format_time(m->now - m->loaded, after, sizeof after);
     if (input->is_recording) {
         crt_fail(sentence, "%s has no stroke in its first %s", input->name, after);
-    } else if (m->flow.loops) {
-        place(input, m->flow.head == VM_NO_HEAD ? m->entry : m->flow.head, where, sizeof where);
+    } else if (m->refreshes.flow.loops) {
+        place(input, m->refreshes.flow.head == VM_NO_HEAD ? m->entry : m->refreshes.flow.head,
+              where, sizeof where);
         crt_fail(
             sentence,
             "%s never lights the beam: it goes round for ever at address %s; draw with data words "
@@ -44,10 +47,60 @@ static void explain_dark(const struct vm_machine *m, const struct vm_input *inpu
     }
 }
 
+/* "80000124 (main+0x1c)". */
+static void code_place(const struct vm_input *input, uint32_t pc, char *text, size_t size)
+{
+    uint32_t offset = 0;
+    const char *symbol = input->has_firmware ? vm_elf_symbol(&input->elf, pc, &offset) : NULL;
+    if (symbol && offset)
+        snprintf(text, size, "%08x (%.60s+0x%x)", pc, symbol, offset);
+    else if (symbol)
+        snprintf(text, size, "%08x (%.60s)", pc, symbol);
+    else
+        snprintf(text, size, "%08x", pc);
+}
+
+/* Whether mtval says more than pc does. */
+static bool has_address(uint32_t cause)
+{
+    return cause == RV_LOAD_FAULT || cause == RV_STORE_FAULT || cause == RV_LOAD_MISALIGNED ||
+           cause == RV_STORE_MISALIGNED || cause == RV_FETCH_MISALIGNED;
+}
+
+static void explain_trap(const struct vm_machine *m, const struct vm_input *input,
+                         struct crt_error *sentence)
+{
+    const struct rv_cpu *cpu = &m->desc.board->cpu;
+    const struct rv_trouble *t = &cpu->trouble;
+    char where[96], what[RV_DISASM_MAX] = "", address[32] = "", moment[32];
+    uint32_t word;
+    code_place(input, t->pc, where, sizeof where);
+    if (rv_fetch(cpu, t->pc, &word))
+        rv_disasm(t->pc, word, what, sizeof what);
+    if (has_address(t->cause))
+        snprintf(address, sizeof address, ", address %08x", t->value);
+    vm_format_time(vm_board_time(m->desc.board, t->cycle), moment, sizeof moment);
+    crt_fail(sentence, "%s: nobody handles the trap at pc %s: %s%s%s%s%s; after %s", input->name,
+             where, rv_cause_name(t->cause), address, *what ? ", in '" : "", what, *what ? "'" : "",
+             moment);
+}
+
+void vm_print_registers(FILE *out, const struct rv_cpu *cpu)
+{
+    for (unsigned i = 0; i < 32; i++)
+        fprintf(out, "  %5s %08x%s", rv_x_name(i), cpu->x[i], i % 4 == 3 ? "\n" : "");
+    fprintf(out, "   mstatus %08x  mtvec %08x  mepc %08x  mcause %08x  mtval %08x\n", cpu->mstatus,
+            cpu->mtvec, cpu->mepc, cpu->mcause, cpu->mtval);
+}
+
 enum vm_trouble vm_find_trouble(const struct vm_machine *m, const struct vm_input *input,
                                 struct crt_error *sentence)
 {
     char where[96];
+    if (m->desc.board && m->desc.board->cpu.state == RV_HALTED) {
+        explain_trap(m, input, sentence);
+        return VM_TROUBLE_TRAP;
+    }
     if (m->dpu.illegal) {
         place(input, m->dpu.dpc, where, sizeof where);
         crt_fail(

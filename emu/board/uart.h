@@ -81,8 +81,8 @@ struct vm_uart {
     uint64_t ready_from; /* when the next byte can have arrived */
     uint64_t timeout_at; /* UINT64_MAX: not counting */
 
-    uint64_t next; /* ps: the next change by itself; UINT64_MAX: none */
-    bool level;    /* of irq */
+    uint64_t next, next_clock; /* the next change by itself, ps and clocks; UINT64_MAX: none */
+    bool level;                /* of irq */
 };
 
 void vm_uart_init(struct vm_uart *u, const struct vm_uart_desc *desc);

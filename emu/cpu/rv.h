@@ -29,6 +29,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "crt/state.h"
+
 /* Causes: mcause without the interrupt bit. */
 enum rv_cause {
     RV_FETCH_MISALIGNED = 0,
@@ -100,11 +102,11 @@ struct rv_cpu {
 
     /* How it is done; not part of the machine's state. */
     struct rv_entry *entries;
+    uint8_t *decoded; /* a page of 4096 bytes each: 1 when it has decoded words */
     struct rv_range rom[RV_MAX_ROM];
     int rom_count;
-    uint32_t store_low, store_size; /* where a store needs no second look */
+    uint32_t store_low, store_size; /* where a store needs no second look, from memory_base */
     bool attention;
-    uint8_t float_host;             /* floats may take the short way (rv_float.h) */
 };
 
 /* False: out of memory for the cache. Resets. */
@@ -163,6 +165,10 @@ struct rv_access {
     bool store;
 };
 bool rv_access_of(const struct rv_cpu *cpu, uint32_t word, struct rv_access *access);
+
+/* A snapshot's section "RV32": everything but the decoded words and ROM ranges. Memory is the
+ * caller's to save, and to load before this. */
+void rv_state(struct rv_cpu *cpu, struct crt_state *s);
 
 /* "load access fault" and the like; an interrupt's name when bit 31 is set. */
 const char *rv_cause_name(uint32_t cause);

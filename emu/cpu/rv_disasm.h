@@ -23,7 +23,7 @@ const char *rv_f_name(unsigned number);
 /* "mstatus"; NULL when the number has no name. */
 const char *rv_csr_name(unsigned csr);
 
-/* The register that `word` writes: −1 none, 0…31 x, 32…63 f. */
+/* The register that `word` writes: −1 none (nor is x0 one), 1…31 x, 32…63 f. */
 int rv_destination(uint32_t word);
 
 #endif

@@ -54,7 +54,7 @@ static uint32_t overflow(bool sign, unsigned rm, uint32_t *flags)
 /* Smaller than the least normal number. The spacing of numbers is that of the least exponent. It is
  * tiny, in the sense of RV_UF, unless rounding to 24 bits with an exponent without limits would reach
  * the least normal number: tininess is detected after rounding. */
-static uint32_t pack_subnormal(struct rv_parts p, unsigned rm, uint32_t *flags)
+static uint32_t pack_subnormal(struct rv_unpacked p, unsigned rm, uint32_t *flags)
 {
     bool inexact, ignored;
     uint64_t unlimited = rv_round_off(p.significand, SPARE, p.sign, rm, &ignored);
@@ -68,7 +68,7 @@ static uint32_t pack_subnormal(struct rv_parts p, unsigned rm, uint32_t *flags)
     return (p.sign ? RV_SIGN : 0) | (uint32_t)kept;
 }
 
-uint32_t rv_pack(struct rv_parts p, unsigned rm, uint32_t *flags)
+uint32_t rv_pack(struct rv_unpacked p, unsigned rm, uint32_t *flags)
 {
     bool inexact;
 
@@ -107,10 +107,10 @@ static uint32_t invalid(uint32_t *flags)
 
 /* Of normalised operands. When more than one bit cancels, the exponents differ by at most 1 and
  * nothing has fallen off: a product has 15 free bits below it. */
-static struct rv_parts sum(struct rv_parts a, struct rv_parts b, unsigned rm)
+static struct rv_unpacked sum(struct rv_unpacked a, struct rv_unpacked b, unsigned rm)
 {
     if (a.exponent < b.exponent || (a.exponent == b.exponent && a.significand < b.significand)) {
-        struct rv_parts swap = a;
+        struct rv_unpacked swap = a;
         a = b;
         b = swap;
     }
@@ -127,9 +127,9 @@ static struct rv_parts sum(struct rv_parts a, struct rv_parts b, unsigned rm)
 
 /* Exact: 24 × 24 bits. Bit 39 of a significand counts 2^(exponent − 23), so bit 0 of the product
  * counts 2^(sum of exponents − 46). */
-static struct rv_parts product(struct rv_parts a, struct rv_parts b)
+static struct rv_unpacked product(struct rv_unpacked a, struct rv_unpacked b)
 {
-    struct rv_parts p = {
+    struct rv_unpacked p = {
         .sign = a.sign != b.sign,
         .exponent = a.exponent + b.exponent + 62 - 46,
         .significand = (a.significand >> SPARE) * (b.significand >> SPARE),
@@ -185,11 +185,11 @@ uint32_t rv_fmadd(uint32_t a, uint32_t b, uint32_t c, unsigned rm, uint32_t *fla
 }
 
 /* The quotient of two 24-bit integers, cut off after 40 or 41 bits. */
-static struct rv_parts quotient(struct rv_parts a, struct rv_parts b)
+static struct rv_unpacked quotient(struct rv_unpacked a, struct rv_unpacked b)
 {
     uint64_t dividend = a.significand >> SPARE << 40;
     uint64_t divisor = b.significand >> SPARE;
-    struct rv_parts p = {
+    struct rv_unpacked p = {
         .sign = a.sign != b.sign,
         .exponent = a.exponent - b.exponent + 62 - 40,
         .significand = dividend / divisor | (dividend % divisor != 0),
@@ -233,12 +233,12 @@ static uint64_t integer_root(uint64_t n, uint64_t *remainder)
 }
 
 /* Of a positive number: 32 bits of the root and whether there are more. */
-static struct rv_parts square_root(struct rv_parts a)
+static struct rv_unpacked square_root(struct rv_unpacked a)
 {
     uint64_t remainder;
     uint64_t odd = (uint64_t)(a.exponent & 1);
     uint64_t root = integer_root(a.significand << odd, &remainder); /* root of [1, 4) × 2^62 */
-    struct rv_parts p = {
+    struct rv_unpacked p = {
         .exponent = (a.exponent - (int)odd) / 2,
         .significand = root << 31 | (remainder != 0),
     };

@@ -27,7 +27,7 @@ static uint32_t to_integer(uint32_t a, const struct limits *limits, unsigned rm,
     bool inexact = false;
 
     if (!rv_is_nan(a) && !rv_is_infinite(a)) {
-        struct rv_parts p = rv_unpack(a);
+        struct rv_unpacked p = rv_unpack(a);
         int distance = 62 - FRACTION - p.exponent;
         if (distance > 0) /* else it is 2^32 or more */
             magnitude = rv_round_off(rv_shift_sticky(p.significand, distance), FRACTION, sign, rm,
@@ -55,12 +55,12 @@ uint32_t rv_fcvt_wu(uint32_t a, unsigned rm, uint32_t *flags)
 uint32_t rv_fcvt_from_w(uint32_t a, unsigned rm, uint32_t *flags)
 {
     bool sign = (a & RV_SIGN) != 0;
-    struct rv_parts p = {.sign = sign, .exponent = 62, .significand = sign ? 0 - a : a};
+    struct rv_unpacked p = {.sign = sign, .exponent = 62, .significand = sign ? 0 - a : a};
     return rv_pack(p, rm, flags);
 }
 
 uint32_t rv_fcvt_from_wu(uint32_t a, unsigned rm, uint32_t *flags)
 {
-    struct rv_parts p = {.exponent = 62, .significand = a};
+    struct rv_unpacked p = {.exponent = 62, .significand = a};
     return rv_pack(p, rm, flags);
 }

@@ -22,14 +22,14 @@
 #define RV_INFINITY 0x7F800000u
 #define RV_QUIET    0x00400000u /* a NaN with this bit is quiet */
 
-struct rv_parts {
+struct rv_unpacked {
     bool sign;
     int exponent;
     uint64_t significand; /* 0: the number is zero, whatever the exponent */
 };
 
 /* Not normalised ones are welcome. Rounds, raises RV_NX, RV_UF and RV_OF. */
-uint32_t rv_pack(struct rv_parts p, unsigned rm, uint32_t *flags);
+uint32_t rv_pack(struct rv_unpacked p, unsigned rm, uint32_t *flags);
 
 /* significand / 2^drop as an integer, rounded; 0 < drop < 64. */
 uint64_t rv_round_off(uint64_t significand, unsigned drop, bool sign, unsigned rm, bool *inexact);
@@ -61,7 +61,7 @@ static inline bool rv_is_negative(uint32_t a)
 
 /* The significand's highest bit goes to bit 62. A zero becomes smaller than everything else, so that
  * aligning it with another number leaves the other one as it is. */
-static inline struct rv_parts rv_normalise(struct rv_parts p)
+static inline struct rv_unpacked rv_normalise(struct rv_unpacked p)
 {
     if (p.significand == 0) {
         p.exponent = -1000;
@@ -79,11 +79,11 @@ static inline struct rv_parts rv_normalise(struct rv_parts p)
 }
 
 /* Finite numbers only; normalised. */
-static inline struct rv_parts rv_unpack(uint32_t a)
+static inline struct rv_unpacked rv_unpack(uint32_t a)
 {
     int field = (int)(a >> 23 & 0xFF);
     uint64_t fraction = a & 0x7FFFFF;
-    struct rv_parts p = {.sign = rv_is_negative(a)};
+    struct rv_unpacked p = {.sign = rv_is_negative(a)};
 
     if (field != 0) {
         p.exponent = field - 127;

@@ -46,7 +46,8 @@ esac
 "$KINESCOPE" asm $program -o "$out/program.oct" || exit 1
 # What a film needs, without libpng, GL, inih and nettle; the AVX2 kernels on x86-64 only.
 sources="tests/cross/film_bytes.c $(ls crt/*.c display_file/*.c |
-    grep -vE '_avx2|png|glass|gl_|ini|image_hash|catalogue') emu/machine.c emu/flow.c"
+    grep -vE '_avx2|png|glass|gl_|ini|image_hash|catalogue') $(ls emu/machine*.c emu/cpu/*.c emu/board/*.c)
+    emu/flow.c emu/refresh.c emu/console.c"
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -I. -pthread"
 cross() { # NAME RUNNER COMPILER...
     name=$1 runner=$2

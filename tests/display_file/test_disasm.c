@@ -151,6 +151,30 @@ static void tube_comes_back(void **state)
     }
 }
 
+static void firmware_comes_back(void **state)
+{
+    (void)state;
+    static const char *const names[] = {
+        "rt11", "A", "my_own-2", "123456789012345678901234567890123456789012345678901234567890123"};
+    for (unsigned i = 0; i < sizeof names / sizeof names[0]; i++) {
+        char source[128], expected[128], got[128];
+        struct df_program p;
+        snprintf(source, sizeof source, ".firmware \"%s\"\nnop", names[i]);
+        source_program(source, &p);
+        assert_string_equal(p.firmware, names[i]);
+        assert_string_equal(p.tube, "");
+        statements_of(&p, got, sizeof got);
+        snprintf(expected, sizeof expected, ".firmware \"%s\"\nL000000: nop\n", names[i]);
+        assert_string_equal(got, expected);
+        df_program_free(&p);
+    }
+    struct df_program p;
+    source_program(".dialect dec\n.firmware \"rt11\"\n.tube \"VR14\"\n1", &p);
+    assert_string_equal(p.firmware, "rt11");
+    assert_string_equal(p.tube, "VR14");
+    df_program_free(&p);
+}
+
 static void special_characters_are_named(void **state)
 {
     (void)state;
@@ -358,6 +382,7 @@ int main(void)
         cmocka_unit_test(what_no_statement_says),
         cmocka_unit_test(places_and_entry),
         cmocka_unit_test(tube_comes_back),
+        cmocka_unit_test(firmware_comes_back),
         cmocka_unit_test(special_characters_are_named),
         cmocka_unit_test(nothing),
         cmocka_unit_test(single_words),

@@ -98,7 +98,7 @@ says "figure out of range" 2 "spot" capture "$star" --set spot=-1 -o "$work/x.pn
 says "figure that is no number" 2 "not a number" capture "$star" --set spot=nan -o "$work/x.png"
 says "no memory" 2 "display memory" capture "$star" --set memory=0 -o "$work/x.png"
 says "odd event" 2 "not an event" capture "$star" --when moon:3 -o "$work/x.png"
-says "event of a later device" 2 "processor" capture "$star" --when console:READY -o "$work/x.png"
+says "event of firmware" 2 "needs firmware" capture "$star" --when console:READY -o "$work/x.png"
 says "event zero" 2 "out of range" capture "$star" --when refresh:0 -o "$work/x.png"
 says "bad close-up" 2 "X,Y,WIDTH_MM" capture "$star" --closeup 1,2 -o "$work/x.png"
 says "close-up of nothing" 2 "out of range" capture "$star" --closeup 1,2,0 -o "$work/x.png"
@@ -118,7 +118,7 @@ check "a full disk" [ $? -eq 1 -a -s "$work/err" ]
 echo hello >"$work/note.txt"
 says "unknown kind" 1 "\.df source" capture "$work/note.txt" -o "$work/x.png"
 printf '\177ELF' >"$work/prog.elf"
-says "a program for the processor" 1 "no processor" run "$work/prog.elf" --headless
+says "an ELF file cut short" 1 "prog.elf" run "$work/prog.elf" --headless
 printf '1000\n9\n' >"$work/bad.oct"
 says "malformed octal" 1 "bad.oct:2" trace "$work/bad.oct"
 : >"$work/empty.df"

@@ -44,7 +44,11 @@ static struct bench set_up(const uint16_t *words, size_t count, uint64_t average
     for (size_t i = 0; i < count; i++)
         df_program_put(&b.program, 01000 + 2 * (uint32_t)i, words[i]);
     b.program.entry = 01000;
-    vm_machine_init(b.m, &(struct vm_machine_desc){row, timing, {60, 1}, 16384, on_stop, NULL});
+    vm_machine_init(b.m, &(struct vm_machine_desc){.row = row,
+                                                   .timing = timing,
+                                                   .tick = {60, 1},
+                                                   .memory_bytes = 16384,
+                                                   .on_stop = on_stop});
     assert_true(vm_machine_load(b.m, &b.program, "test", &err));
     return b;
 }
@@ -63,20 +67,20 @@ static void stopped_programs_restart_at_the_tick(void **state)
     vm_machine_run(b.m, 30 * US);
     assert_int_equal(b.m->dpu.state, DF_STOPPED);
     assert_int_equal(b.m->stops, 1);
-    assert_int_equal(b.m->refresh.number, 1);
-    assert_int_equal(b.m->refresh.begin, 0);
-    assert_int_equal(b.m->refresh.end, 30 * US);
-    assert_int_equal(b.m->refresh.words, 4);
-    assert_int_equal(b.m->refresh.instructions, 3);
-    assert_int_equal(b.m->refresh.strokes, 1);
+    assert_int_equal(b.m->refreshes.last.number, 1);
+    assert_int_equal(b.m->refreshes.last.begin, 0);
+    assert_int_equal(b.m->refreshes.last.end, 30 * US);
+    assert_int_equal(b.m->refreshes.last.words, 4);
+    assert_int_equal(b.m->refreshes.last.instructions, 3);
+    assert_int_equal(b.m->refreshes.last.strokes, 1);
     vm_machine_run(b.m, TICK);
     assert_int_equal(b.m->dpu.state, DF_STOPPED);
     vm_machine_run(b.m, TICK + 1);
     assert_int_equal(b.m->dpu.state, DF_RUNNING);
     vm_machine_run(b.m, CRT_PS_PER_S);
-    assert_int_equal(b.m->refresh.number, 60);
+    assert_int_equal(b.m->refreshes.last.number, 60);
     assert_int_equal(b.m->strokes, 60);
-    assert_int_equal(b.m->refresh.begin, crt_tick_time((struct crt_rate){60, 1}, 59));
+    assert_int_equal(b.m->refreshes.last.begin, crt_tick_time((struct crt_rate){60, 1}, 59));
     tear_down(&b);
 }
 
@@ -99,8 +103,8 @@ static void long_refreshes_halve_the_rate(void **state)
     static const uint16_t words[] = {POINT, LIT | 100, 100, STOP};
     struct bench b = set_up(words, COUNT(words), 6 * MS, VM_RESTART);
     vm_machine_run(b.m, CRT_PS_PER_S);
-    assert_int_equal(b.m->refresh.number, 30);
-    assert_int_equal(b.m->refresh.end - b.m->refresh.begin, 18 * MS);
+    assert_int_equal(b.m->refreshes.last.number, 30);
+    assert_int_equal(b.m->refreshes.last.end - b.m->refreshes.last.begin, 18 * MS);
     tear_down(&b);
 }
 
@@ -110,13 +114,13 @@ static void free_loops_count_at_their_head(void **state)
     /* A preamble of one word, then a loop of five (four instructions). */
     static const uint16_t words[] = {POINT, POINT, LIT | 100, 100, DF_JUMP, 01002};
     struct bench b = set_up(words, COUNT(words), 10 * US, VM_RESTART);
-    assert_true(b.m->flow.loops);
-    assert_int_equal(b.m->flow.head, 01002);
+    assert_true(b.m->refreshes.flow.loops);
+    assert_int_equal(b.m->refreshes.flow.head, 01002);
     vm_machine_run(b.m, 10 * US + 30 * US * 7 + 1);
-    assert_int_equal(b.m->refresh.number, 7);
-    assert_int_equal(b.m->refresh.words, 5);
-    assert_int_equal(b.m->refresh.instructions, 3);
-    assert_int_equal(b.m->refresh.end - b.m->refresh.begin, 30 * US);
+    assert_int_equal(b.m->refreshes.last.number, 7);
+    assert_int_equal(b.m->refreshes.last.words, 5);
+    assert_int_equal(b.m->refreshes.last.instructions, 3);
+    assert_int_equal(b.m->refreshes.last.end - b.m->refreshes.last.begin, 30 * US);
     tear_down(&b);
 }
 
@@ -125,13 +129,13 @@ static void synchronised_loops_count_at_the_tick(void **state)
     (void)state;
     static const uint16_t words[] = {SYNC, POINT, LIT | 100, 100, DF_JUMP, 01000};
     struct bench b = set_up(words, COUNT(words), 10 * US, VM_RESTART);
-    assert_true(b.m->flow.synchronised);
+    assert_true(b.m->refreshes.flow.synchronised);
     vm_machine_run(b.m, CRT_PS_PER_S);
     /* Released at ticks 1 … 59; the lone sync word before tick 1 is no refresh. */
-    assert_int_equal(b.m->refresh.number, 59);
-    assert_int_equal(b.m->refresh.begin, crt_tick_time((struct crt_rate){60, 1}, 59));
+    assert_int_equal(b.m->refreshes.last.number, 59);
+    assert_int_equal(b.m->refreshes.last.begin, crt_tick_time((struct crt_rate){60, 1}, 59));
     /* Point, datum, jump, and the sync word that ends it. */
-    assert_int_equal(b.m->refresh.end - b.m->refresh.begin, 40 * US);
+    assert_int_equal(b.m->refreshes.last.end - b.m->refreshes.last.begin, 40 * US);
     assert_int_equal(b.m->strokes, 59);
     tear_down(&b);
 }
@@ -144,7 +148,7 @@ static void each_picture_of_an_animation_is_a_refresh(void **state)
     struct bench b = set_up(words, COUNT(words), 10 * US, VM_RESTART);
     vm_machine_run(b.m, CRT_PS_PER_S);
     assert_int_equal(b.m->strokes, 60);
-    assert_int_equal(b.m->refresh.number, 60);
+    assert_int_equal(b.m->refreshes.last.number, 60);
     assert_int_equal(b.m->stops, 30);
     tear_down(&b);
 }
@@ -201,14 +205,14 @@ static void tracing_changes_nothing(void **state)
     struct bench a = set_up(words, COUNT(words), 0, VM_RESTART);
     struct bench b = set_up(words, COUNT(words), 0, VM_RESTART);
     struct log l = {0};
-    const struct vm_hooks hooks = {&l, log_word, log_stroke};
+    const struct vm_hooks hooks = {.ctx = &l, .word = log_word, .stroke = log_stroke};
     vm_machine_run(a.m, 50 * MS);
     vm_machine_trace(b.m, 20 * MS, &hooks);
     vm_machine_trace(b.m, 50 * MS, &hooks);
     assert_int_equal(l.words, a.m->dpu.words);
     assert_int_equal(l.strokes, a.m->strokes);
     assert_int_equal(b.m->dpu.t, a.m->dpu.t);
-    assert_int_equal(b.m->refresh.number, a.m->refresh.number);
+    assert_int_equal(b.m->refreshes.last.number, a.m->refreshes.last.number);
     for (size_t i = 0; i < COUNT(words); i++) {
         assert_int_equal(l.address[i], 01000 + 2 * i);
         assert_int_equal(l.word[i], words[i]);
@@ -226,7 +230,7 @@ static void pausing_changes_nothing(void **state)
     vm_machine_run(a.m, CRT_PS_PER_S);
     for (int i = 0; i < 5; i++) {
         assert_true(vm_machine_run_refresh(b.m, CRT_PS_PER_S));
-        assert_int_equal(b.m->now, b.m->refresh.end);
+        assert_int_equal(b.m->now, b.m->refreshes.last.end);
         vm_machine_step(b.m);
     }
     assert_true(vm_machine_run_stop(b.m, CRT_PS_PER_S));
@@ -234,7 +238,7 @@ static void pausing_changes_nothing(void **state)
     vm_machine_run(b.m, CRT_PS_PER_S);
     assert_int_equal(b.m->dpu.t, a.m->dpu.t);
     assert_int_equal(b.m->strokes, a.m->strokes);
-    assert_int_equal(b.m->refresh.number, a.m->refresh.number);
+    assert_int_equal(b.m->refreshes.last.number, a.m->refreshes.last.number);
     tear_down(&a);
     tear_down(&b);
 }
@@ -247,7 +251,7 @@ static void a_copy_runs_alone(void **state)
     struct vm_machine *copy = malloc(sizeof *copy);
     assert_non_null(copy);
     vm_machine_run(b.m, MS);
-    vm_machine_copy(copy, b.m);
+    assert_true(vm_machine_copy(copy, b.m));
     copy->memory[01002 / 2] = 100; /* beam off */
     vm_machine_run(copy, CRT_PS_PER_S);
     assert_int_equal(copy->strokes, 1);
@@ -284,7 +288,7 @@ static void an_illegal_word_hangs(void **state)
     vm_machine_run(b.m, 100 * MS);
     assert_true(b.m->dpu.illegal);
     assert_int_equal(b.m->dpu.dpc, 01006);
-    assert_int_equal(b.m->refresh.number, 0);
+    assert_int_equal(b.m->refreshes.last.number, 0);
     tear_down(&b);
 }
 
@@ -300,7 +304,7 @@ static void loading_again_keeps_time(void **state)
     assert_int_equal(b.m->now, 5 * MS);
     vm_machine_run(b.m, 6 * MS);
     assert_int_equal(b.m->stops, 2);
-    assert_int_equal(b.m->refresh.begin, 5 * MS);
+    assert_int_equal(b.m->refreshes.last.begin, 5 * MS);
     assert_int_equal(b.m->strokes, 1);
     tear_down(&b);
 }
@@ -336,9 +340,10 @@ static void recordings_are_played_in_time(void **state)
     struct vm_machine *m = calloc(1, sizeof *m);
     const struct crt_tube_row *row = crt_tube_row_find("VR17");
     assert_non_null(m);
-    vm_machine_init(
-        m, &(struct vm_machine_desc){
-               row, df_timing_of_tube(row, DF_TIMING_VALUE), {60, 1}, 65536, VM_RESTART, NULL});
+    vm_machine_init(m, &(struct vm_machine_desc){.row = row,
+                                                 .timing = df_timing_of_tube(row, DF_TIMING_VALUE),
+                                                 .tick = {60, 1},
+                                                 .memory_bytes = 65536});
     vm_machine_play(m, (struct vm_recording){strokes, COUNT(strokes)});
     vm_machine_run(m, MS);
     assert_int_equal(m->strokes, 0);

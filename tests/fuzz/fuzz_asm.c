@@ -40,6 +40,7 @@ static void come_back(const struct df_program *p)
     check(df_assemble_text("again", text, strlen(text), NULL, &again, &report));
     check(p->low == again.low && p->high == again.high && p->entry == again.entry);
     check(strcmp(p->tube, again.tube) == 0);
+    check(strcmp(p->firmware, again.firmware) == 0);
     check(memcmp(p->words, again.words, DF_MEMORY_BYTES) == 0);
     check(memcmp(p->loaded, again.loaded, DF_MEMORY_BYTES / 2) == 0);
     df_asm_report_free(&report);

@@ -164,7 +164,7 @@ static void run_to(struct vm_machine *m, uint64_t t, const struct meter *meter)
         vm_machine_trace(m, t, &hooks);
     REQUIRE(m->now == t && m->tick_time >= t);
     REQUIRE(m->dpu.state != DF_RUNNING || m->dpu.t >= t);
-    REQUIRE(m->refresh.end <= m->dpu.t && m->refresh.begin <= m->refresh.end);
+    REQUIRE(m->refreshes.last.end <= m->dpu.t && m->refreshes.last.begin <= m->refreshes.last.end);
 }
 
 static void apply(struct vm_machine *m, struct crt_tube *tube, const struct poke *p,

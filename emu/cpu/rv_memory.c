@@ -1,0 +1,215 @@
+/* rv_memory.c — program memory where it needs a second look: read-only ranges, decoded words.
+ *
+ * A page is marked when a word in it is decoded. Stores are free of looks within one window: the
+ * largest stretch of memory that has no marked page and no read-only byte. Programs keep code and
+ * constants together, so the window has data, heap and stack in it. */
+#include <assert.h>
+#include <stdlib.h>
+
+#include "emu/cpu/rv_decode.h"
+#include "emu/cpu/rv_parts.h"
+
+#define PAGE 4096u
+
+static uint32_t low_of(uint32_t a, uint32_t b)
+{
+    return a < b ? a : b;
+}
+
+static uint32_t high_of(uint32_t a, uint32_t b)
+{
+    return a > b ? a : b;
+}
+
+/* Offsets of a range within memory, cut off at its ends; high may lie behind it. */
+static bool clip(const struct rv_cpu *cpu, uint32_t low, uint32_t high, uint32_t *from,
+                 uint32_t *to)
+{
+    uint64_t base = cpu->desc.memory_base, end = base + cpu->desc.memory_size;
+    uint64_t first = low > base ? low : base, last = high < end ? high : end;
+    if (first >= last)
+        return false;
+    *from = (uint32_t)(first - base);
+    *to = (uint32_t)(last - base);
+    return true;
+}
+
+static bool read_only(const struct rv_cpu *cpu, uint32_t address)
+{
+    for (int i = 0; i < cpu->rom_count; i++)
+        if (address >= cpu->rom[i].low && address < cpu->rom[i].high)
+            return true;
+    return false;
+}
+
+/* Where the next read-only byte at or behind `offset` begins, and the first byte after its range. */
+static uint32_t next_rom(const struct rv_cpu *cpu, uint32_t offset, uint32_t *behind)
+{
+    uint32_t first = cpu->desc.memory_size;
+    *behind = first;
+    for (int i = 0; i < cpu->rom_count; i++) {
+        uint32_t from, to;
+        if (!clip(cpu, cpu->rom[i].low, cpu->rom[i].high, &from, &to) || to <= offset)
+            continue;
+        if (high_of(from, offset) < first) {
+            first = high_of(from, offset);
+            *behind = to;
+        }
+    }
+    return first;
+}
+
+/* Keeps [from, to), shrunk to whole words, as the window if it is the largest so far. */
+static void offer(struct rv_cpu *cpu, uint32_t from, uint32_t to)
+{
+    from = (from + 3) & ~3u;
+    to &= ~3u;
+    if (to > from && to - from > cpu->store_size) {
+        cpu->store_low = from;
+        cpu->store_size = to - from;
+    }
+}
+
+/* The stretch without marked pages [from, to), less read-only ranges. */
+static void offer_stretch(struct rv_cpu *cpu, uint32_t from, uint32_t to)
+{
+    while (from < to) {
+        uint32_t behind, rom = next_rom(cpu, from, &behind);
+        offer(cpu, from, low_of(rom, to));
+        from = behind;
+    }
+}
+
+static void find_window(struct rv_cpu *cpu)
+{
+    uint32_t pages = cpu->desc.memory_size / PAGE, page = 0;
+    cpu->store_low = cpu->store_size = 0;
+    while (page < pages) {
+        uint32_t first = page;
+        while (page < pages && !cpu->decoded[page])
+            page++;
+        offer_stretch(cpu, first * PAGE, page * PAGE);
+        while (page < pages && cpu->decoded[page])
+            page++;
+    }
+}
+
+void rv_mark_decoded(struct rv_cpu *cpu, uint32_t offset)
+{
+    uint32_t page = offset / PAGE;
+    if (cpu->decoded[page])
+        return;
+    cpu->decoded[page] = 1;
+    /* Most code lies outside the window anyway. */
+    if ((page + 1) * PAGE > cpu->store_low && page * PAGE - cpu->store_low < cpu->store_size)
+        find_window(cpu);
+}
+
+bool rv_protect(struct rv_cpu *cpu, uint32_t low, uint32_t high)
+{
+    if (cpu->rom_count == RV_MAX_ROM)
+        return false;
+    cpu->rom[cpu->rom_count++] = (struct rv_range){low, high};
+    find_window(cpu);
+    return true;
+}
+
+void rv_writable(struct rv_cpu *cpu)
+{
+    cpu->rom_count = 0;
+    find_window(cpu);
+}
+
+/* Words first … last are to be decoded anew, and what was joined to them. */
+static void forget(struct rv_cpu *cpu, uint32_t first, uint32_t last)
+{
+    if (first >= RV_JOINED)
+        first -= RV_JOINED;
+    else
+        first = 0;
+    struct rv_entry *from = cpu->entries + rv_index_of_word(first);
+    struct rv_entry *to = cpu->entries + rv_index_of_word(last) + 1;
+    memset(from, 0, (size_t)(to - from) * sizeof *from);
+}
+
+void rv_changed(struct rv_cpu *cpu, uint32_t low, uint32_t high)
+{
+    uint32_t from, to;
+    if (!clip(cpu, low, high, &from, &to))
+        return;
+    for (uint32_t page = from / PAGE; page * PAGE < to; page++)
+        if (cpu->decoded[page])
+            forget(cpu, high_of(from, page * PAGE) / 4, (low_of(to, (page + 1) * PAGE) - 1) / 4);
+}
+
+bool rv_load(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t *value)
+{
+    uint32_t offset = address - cpu->desc.memory_base;
+    if (offset >= cpu->desc.memory_size)
+        return cpu->desc.bus.load(cpu->desc.bus.ctx, address, width, value);
+    *value = rv_bytes_get(cpu->desc.memory + offset, width);
+    return true;
+}
+
+bool rv_store(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t value)
+{
+    uint32_t offset = address - cpu->desc.memory_base;
+    if (offset >= cpu->desc.memory_size)
+        return cpu->desc.bus.store(cpu->desc.bus.ctx, address, width, value);
+    if (read_only(cpu, address))
+        return false;
+    rv_bytes_put(cpu->desc.memory + offset, width, value);
+    if (cpu->decoded[offset / PAGE])
+        forget(cpu, offset / 4, offset / 4);
+    return true;
+}
+
+bool rv_fetch(const struct rv_cpu *cpu, uint32_t pc, uint32_t *word)
+{
+    if (!rv_fetchable(cpu, pc))
+        return false;
+    *word = rv_bytes_get(cpu->desc.memory + (pc - cpu->desc.memory_base), 4);
+    return true;
+}
+
+/* ---- the processor as a whole ---- */
+
+bool rv_init(struct rv_cpu *cpu, const struct rv_desc *desc)
+{
+    assert(desc->memory_base % PAGE == 0 && desc->memory_size % PAGE == 0);
+    assert(desc->memory_size != 0 && desc->memory_size - 1 <= UINT32_MAX - desc->memory_base);
+    *cpu = (struct rv_cpu){.desc = *desc};
+    uint32_t words = desc->memory_size / 4;
+    cpu->entries = calloc((size_t)rv_index_of_word(words) + 1, sizeof *cpu->entries);
+    cpu->decoded = calloc(desc->memory_size / PAGE, 1);
+    if (cpu->entries == NULL || cpu->decoded == NULL) {
+        rv_free(cpu);
+        return false;
+    }
+    find_window(cpu);
+    rv_reset(cpu);
+    return true;
+}
+
+void rv_free(struct rv_cpu *cpu)
+{
+    free(cpu->entries);
+    free(cpu->decoded);
+    cpu->entries = NULL;
+    cpu->decoded = NULL;
+}
+
+void rv_reset(struct rv_cpu *cpu)
+{
+    memset(cpu->x, 0, sizeof cpu->x);
+    memset(cpu->f, 0, sizeof cpu->f);
+    cpu->pc = cpu->desc.memory_base;
+    cpu->fflags = cpu->frm = 0;
+    cpu->mstatus = cpu->mie = cpu->mtvec = cpu->mscratch = 0;
+    cpu->mepc = cpu->mcause = cpu->mtval = cpu->mcountinhibit = 0;
+    cpu->cycle_offset = cpu->retire_offset = 0;
+    cpu->cycle_held = cpu->retire_held = 0;
+    cpu->state = RV_RUNNING;
+    cpu->trouble = (struct rv_trouble){0};
+    cpu->attention = false;
+}

@@ -1,0 +1,166 @@
+#include "emu/headless.h"
+
+#include <stdio.h>
+#include <time.h>
+
+#include "emu/command.h"
+#include "emu/debug/gdb_machine.h"
+#include "emu/moment.h"
+#include "emu/progress.h"
+#include "emu/rig.h"
+#include "emu/terminal.h"
+#include "emu/trouble.h"
+
+#define DISPLAY_FILE_PS (10 * CRT_PS_PER_S)
+#define FOR_EVER_PS     (UINT64_MAX / 2)
+#define KEYS_S          0.002 /* host seconds between looks at the keyboard */
+#define DEBUGGER_MS     20 /* a held machine waits for the debugger between looks at the keyboard */
+#define LONGEST_S       0.05 /* a late look does not make the machine hurry after it */
+
+static double seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* ---- running ------------------------------------------------------------------------------------
+ */
+
+/* To the end of the firmware or `until`; true when it has ended. A debugger may hold the machine. */
+static bool run_end(struct vm_rig *rig, struct vm_gdb *gdb, uint64_t until)
+{
+    if (!gdb)
+        return vm_machine_run_end(rig->machine, until);
+    struct vm_gdb_target target = vm_gdb_machine(rig->machine);
+    return vm_gdb_run(gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
+}
+
+/* In real time, until the firmware ends, the limit, or who types leaves. */
+static void run_live(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb *gdb,
+                     uint64_t limit)
+{
+    struct vm_machine *m = rig->machine;
+    double last = seconds();
+    while (m->now < limit && !terminal->left) {
+        double now = seconds(), elapsed = now - last;
+        last = now;
+        uint64_t ps = (uint64_t)((elapsed < LONGEST_S ? elapsed : LONGEST_S) * 1e12);
+        if (run_end(rig, gdb, limit - m->now < ps ? limit : m->now + ps))
+            return;
+        vm_terminal_poll(terminal, rig->console, m->now, KEYS_S);
+    }
+}
+
+static void run(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb *gdb,
+                uint64_t limit)
+{
+    struct vm_progress progress;
+    if (terminal && terminal->live) {
+        run_live(rig, terminal, gdb, limit);
+        return;
+    }
+    if (gdb) {
+        while (rig->machine->now < limit && !run_end(rig, gdb, limit))
+            ;
+        return;
+    }
+    vm_progress_begin(&progress);
+    progress.shown &= !terminal;
+    vm_progress_run_end(&progress, rig->machine, limit);
+    vm_progress_end(&progress);
+}
+
+/* ---- the outcome --------------------------------------------------------------------------------
+ */
+
+static void say_speed(const struct vm_rig *rig, const struct vm_input *input, double took)
+{
+    const struct vm_machine *m = rig->machine;
+    double simulated = (double)m->now / (double)CRT_PS_PER_S;
+    fprintf(
+        stderr,
+        "%s: %.6g simulated seconds in %.3g s, %.0f simulated seconds a second; %llu words, %llu "
+        "strokes, %llu refreshes\n",
+        input->name, simulated, took, simulated / (took > 1e-9 ? took : 1e-9),
+        (unsigned long long)m->dpu.words, (unsigned long long)m->strokes,
+        (unsigned long long)m->refreshes.last.number);
+    if (!rig->board)
+        return;
+    fprintf(stderr, "%s: %llu instructions, %.0f million a second", input->name,
+            (unsigned long long)rv_retired(&rig->board->cpu),
+            (double)rv_retired(&rig->board->cpu) / (took > 1e-9 ? took : 1e-9) / 1e6);
+    if (rig->console->sent)
+        fprintf(stderr, "; the console printed %llu bytes, --console shows them",
+                (unsigned long long)rig->console->sent);
+    fputs("\n", stderr);
+}
+
+/* Of firmware: its own exit status, or what became of it. */
+static int firmware_outcome(const struct vm_rig *rig, const struct vm_input *input, bool left,
+                            struct crt_error *err)
+{
+    int status;
+    char after[32];
+    if (vm_machine_exited(rig->machine, &status))
+        return status;
+    enum vm_trouble trouble = vm_find_trouble(rig->machine, input, err);
+    if (trouble == VM_TROUBLE_TRAP)
+        vm_print_registers(stderr, &rig->board->cpu);
+    if (trouble != VM_NO_TROUBLE && trouble != VM_TROUBLE_DARK)
+        return VM_EXIT_TROUBLE;
+    if (left)
+        return VM_EXIT_OK;
+    vm_format_time(rig->machine->now, after, sizeof after);
+    crt_fail(err, "%s has not ended itself within %s of simulated time; --for allows more",
+             input->name, after);
+    return VM_EXIT_TIMEOUT;
+}
+
+static int outcome(const struct vm_rig *rig, const struct vm_input *input, bool left,
+                   struct crt_error *err)
+{
+    err->text[0] = '\0';
+    if (input->has_firmware)
+        return firmware_outcome(rig, input, left, err);
+    /* A program that has not lit the beam yet may still do so, after its first sync tick. */
+    if (rig->machine->strokes == 0)
+        vm_machine_run(rig->machine, VM_SETTLED_PS);
+    return vm_find_trouble(rig->machine, input, err) ? VM_EXIT_TROUBLE : VM_EXIT_OK;
+}
+
+int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,
+                const struct vm_input *input, struct crt_error *err)
+{
+    struct vm_rig rig;
+    struct vm_terminal terminal;
+    uint64_t limit = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
+    if (h->length.given && !vm_time_ps(&h->length, settings->tick, &limit, err))
+        return VM_EXIT_USAGE;
+    if (h->console && !input->has_firmware) {
+        crt_fail(err, "--console: %s has no firmware that would use it", input->name);
+        return VM_EXIT_USAGE;
+    }
+    if (h->gdb && !input->has_firmware) {
+        crt_fail(err, "--gdb: %s has no firmware to debug", input->name);
+        return VM_EXIT_USAGE;
+    }
+    if (!vm_rig_open(&rig, settings, input, DF_TIMING_VALUE, NULL, err))
+        return VM_EXIT_TROUBLE;
+    if (h->console && !vm_terminal_open(&terminal, err)) {
+        vm_rig_close(&rig);
+        return VM_EXIT_TROUBLE;
+    }
+    if (h->console)
+        rig.console->desc = vm_terminal_console(&terminal);
+    double begin = seconds();
+    run(&rig, h->console ? &terminal : NULL, h->gdb, limit);
+    if (h->console)
+        vm_terminal_close(&terminal);
+    else if (!h->gdb)
+        say_speed(&rig, input, seconds() - begin);
+    bool left = (h->console && terminal.left) || (h->gdb && vm_gdb_killed(h->gdb));
+    int status = outcome(&rig, input, left, err);
+    vm_rig_close(&rig);
+    return status;
+}

@@ -1,0 +1,29 @@
+/* machine_parts.h — what the files of the machine share; not for others.
+ *
+ *      machine.c       making, loading, copying     machine_run.c   time: who is next
+ *      machine_wires.c strokes, interrupt lines,    machine_bus.c   registers on the processor's bus
+ *                      START and refreshes
+ */
+#ifndef EMU_MACHINE_PARTS_H
+#define EMU_MACHINE_PARTS_H
+
+#include "emu/machine.h"
+
+/* machine_wires.c */
+void vm_wire_dpu(struct vm_machine *m, struct df_dpu_desc *desc);
+/* Strokes and lines from now on go to m->hooks, too, or no longer. */
+void vm_wire_hooks(struct vm_machine *m, bool hooked);
+void vm_count_stroke(struct vm_machine *m, const struct crt_stroke *stroke);
+struct vm_counts vm_counts(const struct vm_machine *m);
+/* START at t; a refresh may begin with it. */
+void vm_start(struct vm_machine *m, uint16_t address, uint64_t t);
+/* Sets the level of a line of the board's interrupt controller that changes at t. */
+void vm_line(struct vm_machine *m, unsigned line, bool level, uint64_t t);
+/* When the next line of the display processor changes, and the change. */
+uint64_t vm_wires_next(const struct vm_machine *m);
+void vm_wires_change(struct vm_machine *m, uint64_t t);
+
+/* machine_bus.c: adds the machine's ranges to the board's bus. */
+void vm_bus_connect(struct vm_machine *m);
+
+#endif

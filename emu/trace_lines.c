@@ -1,0 +1,110 @@
+#include "emu/trace_lines.h"
+
+#include "crt/beam_file.h"
+#include "display_file/df_regs.h"
+#include "emu/cpu/rv_disasm.h"
+#include "emu/memmap.h"
+
+#define ULL(x) ((unsigned long long)(x))
+
+static void print_word(void *ctx, uint64_t t, uint16_t address, uint16_t word, bool fetched,
+                       const struct df_dpu *dpu)
+{
+    const struct vm_trace_lines *l = ctx;
+    if (!fetched)
+        fprintf(l->out, "# dpu %llu bus time-out at DPC=%06o\n", ULL(t), address);
+    else
+        fprintf(l->out, "dpu %llu DPC=%06o WORD=%06o MPR=%06o XPR=%06o YPR=%06o\n", ULL(t), address,
+                word, df_dpu_read(dpu, DF_MPR), df_dpu_read(dpu, DF_XPR), df_dpu_read(dpu, DF_YPR));
+}
+
+static void print_stroke(void *ctx, const struct crt_stroke *stroke)
+{
+    crt_beam_write_stroke(((const struct vm_trace_lines *)ctx)->out, stroke);
+}
+
+/* ---- processor ----------------------------------------------------------------------------------
+ */
+
+static bool before(void *ctx, struct rv_cpu *cpu)
+{
+    struct vm_trace_lines *l = ctx;
+    uint32_t word;
+    l->accesses = rv_fetch(cpu, cpu->pc, &word) && rv_access_of(cpu, word, &l->access);
+    return false;
+}
+
+static void print_store(const struct vm_trace_lines *l, const struct rv_cpu *cpu, uint32_t word)
+{
+    unsigned source = word >> 20 & 31;
+    bool is_float = (word & 0x7F) == 0x27;
+    uint32_t value = is_float ? cpu->f[source] : cpu->x[source];
+    int digits = (int)l->access.width * 2;
+    if (digits < 8)
+        value &= (1u << 4 * digits) - 1;
+    fprintf(l->out, " [%08x]=%0*x", l->access.address, digits, value);
+}
+
+static void print_instruction(void *ctx, struct rv_cpu *cpu, uint32_t pc, uint32_t word,
+                              bool trapped)
+{
+    const struct vm_trace_lines *l = ctx;
+    char text[RV_DISASM_MAX];
+    rv_disasm(pc, word, text, sizeof text);
+    fprintf(l->out, "cpu %llu PC=%08x WORD=%08x %s", ULL(vm_board_time(l->board, cpu->cycle - 1)),
+            pc, word, text);
+    int destination = rv_destination(word);
+    if (trapped)
+        fprintf(l->out, " trap: %s",
+                rv_cause_name(cpu->state == RV_HALTED ? cpu->trouble.cause : cpu->mcause));
+    else if (l->accesses && l->access.store)
+        print_store(l, cpu, word);
+    else if (destination >= 32)
+        fprintf(l->out, " %s=%08x", rv_f_name((unsigned)destination - 32),
+                cpu->f[destination - 32]);
+    else if (destination > 0)
+        fprintf(l->out, " %s=%08x", rv_x_name((unsigned)destination), cpu->x[destination]);
+    fputc('\n', l->out);
+}
+
+/* ---- interrupts ---------------------------------------------------------------------------------
+ */
+
+static void print_line(void *ctx, uint64_t t, unsigned line, bool level)
+{
+    static const char *const names[IRQ_LINES] = {
+        [IRQ_LINE_STOP] = "stop",       [IRQ_LINE_PEN] = "pen",
+        [IRQ_LINE_CHAR] = "character",  [IRQ_LINE_NAME] = "name",
+        [IRQ_LINE_RETRACE] = "retrace", [IRQ_LINE_COMPARE] = "line compare",
+        [IRQ_LINE_INPUT] = "input",     [IRQ_LINE_UART] = "uart"};
+    const struct vm_trace_lines *l = ctx;
+    fprintf(l->out, "irq %llu %s %s\n", ULL(t), names[line], level ? "high" : "low");
+}
+
+static void print_interrupt(void *ctx, struct rv_cpu *cpu, uint32_t cause)
+{
+    const struct vm_trace_lines *l = ctx;
+    fprintf(l->out, "irq %llu processor takes %s at PC=%08x\n",
+            ULL(vm_board_time(l->board, cpu->cycle)), rv_cause_name(cause), cpu->mepc);
+}
+
+void vm_trace_lines_init(struct vm_trace_lines *l, enum vm_trace_what what, FILE *out,
+                         const struct vm_board *board)
+{
+    *l = (struct vm_trace_lines){.out = out, .board = board};
+    l->hooks.ctx = l->processor.ctx = l;
+    if (what == VM_TRACE_DPU)
+        l->hooks.word = print_word;
+    if (what == VM_TRACE_BEAM)
+        l->hooks.stroke = print_stroke;
+    if (what == VM_TRACE_CPU) {
+        l->processor.before = before;
+        l->processor.after = print_instruction;
+    }
+    if (what == VM_TRACE_IRQ)
+        l->hooks.line = print_line;
+    if (what == VM_TRACE_CPU || what == VM_TRACE_IRQ) {
+        l->processor.interrupt = print_interrupt;
+        l->hooks.processor = &l->processor;
+    }
+}

@@ -1,0 +1,35 @@
+/* trace_lines.h — the machine's events as text, one line each.
+ *
+ *      dpu <t> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo       word executed
+ *      cpu <t> PC=hhhhhhhh WORD=hhhhhhhh addi a0,a0,1 a0=hhhhhhhh             instruction and its effect
+ *      irq <t> stop high                                                     line of a device
+ *      irq <t> processor takes machine external interrupt at PC=hhhhhhhh
+ *
+ * Time:       picoseconds since power-on: when the word was fetched, the instruction begun.
+ * Effects:    the register written; of a store [address]=value, of a jump nothing, of a trap its cause.
+ * Ownership:  the caller's struct and stream.
+ * Errors:     none; the stream's are its owner's.
+ */
+#ifndef EMU_TRACE_LINES_H
+#define EMU_TRACE_LINES_H
+
+#include <stdio.h>
+
+#include "emu/machine.h"
+
+enum vm_trace_what { VM_TRACE_DPU, VM_TRACE_BEAM, VM_TRACE_CPU, VM_TRACE_IRQ };
+
+struct vm_trace_lines {
+    FILE *out;
+    const struct vm_board *board; /* NULL: no processor */
+    struct rv_access access;      /* of the instruction being executed */
+    bool accesses;
+    struct rv_hooks processor;
+    struct vm_hooks hooks; /* for vm_machine_trace */
+};
+
+/* `lines` must stay where it is while its hooks are in use. */
+void vm_trace_lines_init(struct vm_trace_lines *lines, enum vm_trace_what what, FILE *out,
+                         const struct vm_board *board);
+
+#endif
