@@ -165,19 +165,35 @@ void crt_state_f64(struct crt_state *s, double *v)
     memcpy(v, &bits, sizeof bits);
 }
 
-void crt_state_f32s(struct crt_state *s, float *v, size_t count)
+static void save_floats(struct crt_state *s, const float *v, size_t count)
 {
-    const uint8_t *from = s->loading ? take(s, 4 * count) : NULL;
-    uint8_t *to = s->loading ? NULL : add(s, 4 * count);
-    uint32_t bits;
-    for (size_t i = 0; to && i < count; i++) {
+    uint8_t *to = add(s, 4 * count);
+    for (size_t i = 0; to && i < count; i++, to += 4) {
+        uint32_t bits;
         memcpy(&bits, &v[i], sizeof bits);
-        put(to + 4 * i, bits, 4);
+        to[0] = (uint8_t)bits; /* spelt out, compilers make one store of it */
+        to[1] = (uint8_t)(bits >> 8);
+        to[2] = (uint8_t)(bits >> 16);
+        to[3] = (uint8_t)(bits >> 24);
     }
-    for (size_t i = 0; s->loading && i < count; i++) {
-        bits = from ? (uint32_t)got(from + 4 * i, 4) : 0;
+}
+
+static void load_floats(struct crt_state *s, float *v, size_t count)
+{
+    const uint8_t *from = take(s, 4 * count);
+    for (size_t i = 0; i < count; i++) {
+        const uint8_t *b = from ? from + 4 * i : (const uint8_t[4]){0};
+        uint32_t bits = b[0] | (uint32_t)b[1] << 8 | (uint32_t)b[2] << 16 | (uint32_t)b[3] << 24;
         memcpy(&v[i], &bits, sizeof bits);
     }
+}
+
+void crt_state_f32s(struct crt_state *s, float *v, size_t count)
+{
+    if (s->loading)
+        load_floats(s, v, count);
+    else
+        save_floats(s, v, count);
 }
 
 void crt_state_size(struct crt_state *s, size_t *v, size_t most)
@@ -210,30 +226,40 @@ static size_t page_size(const struct memory *m, size_t at)
     return m->size - at < PAGE ? m->size - at : PAGE;
 }
 
-/* The page at `at`, in `room` where it has to be made of words; NULL: it is all 0. */
+static bool all_zero(const void *memory, size_t size)
+{
+    const uint8_t *bytes = memory;
+    return bytes[0] == 0 && memcmp(bytes, bytes + 1, size - 1) == 0;
+}
+
+static bool is_dark(const struct memory *m, size_t at)
+{
+    return all_zero(m->bytes ? m->bytes + at : (const void *)(m->words + at / 2), page_size(m, at));
+}
+
+/* The page at `at`, in `room` where it has to be made of words. */
 static uint8_t *page_of(const struct memory *m, size_t at, uint8_t room[PAGE])
 {
-    size_t size = page_size(m, at);
-    uint8_t *page = m->bytes ? m->bytes + at : room;
-    for (size_t i = 0; !m->bytes && i < size; i += 2)
-        put(page + i, m->words[(at + i) / 2], 2);
-    bool dark = page[0] == 0 && memcmp(page, page + 1, size - 1) == 0;
-    return dark ? NULL : page;
+    if (m->bytes)
+        return m->bytes + at;
+    for (size_t i = 0; i < page_size(m, at); i += 2)
+        put(room + i, m->words[(at + i) / 2], 2);
+    return room;
 }
 
 static void save_pages(struct crt_state *s, const struct memory *m)
 {
-    uint8_t room[PAGE], *page;
-    uint32_t count = 0, index;
+    uint8_t room[PAGE];
+    uint32_t count = 0;
     for (size_t at = 0; at < m->size; at += PAGE)
-        count += page_of(m, at, room) != NULL;
+        count += !is_dark(m, at);
     crt_state_u32(s, &count);
     for (size_t at = 0; at < m->size; at += PAGE) {
-        if (!(page = page_of(m, at, room)))
+        uint32_t index = (uint32_t)(at / PAGE);
+        if (is_dark(m, at))
             continue;
-        index = (uint32_t)(at / PAGE);
         crt_state_u32(s, &index);
-        crt_state_bytes(s, page, page_size(m, at));
+        crt_state_bytes(s, page_of(m, at, room), page_size(m, at));
     }
 }
 
@@ -284,22 +310,19 @@ void crt_state_word_pages(struct crt_state *s, uint16_t *words, size_t count)
 
 #define HEADER 16u /* tag, version, length */
 
-static void begin_loading(struct crt_state *s, uint32_t version)
+/* Up to the section's first byte; gives its version. */
+static uint32_t open_section(struct crt_state *s)
 {
     char tag[4];
-    uint32_t found = 0;
+    uint32_t version = 0;
     uint64_t length = 0;
     crt_state_bytes(s, tag, sizeof tag);
-    crt_state_u32(s, &found);
+    crt_state_u32(s, &version);
     crt_state_u64(s, &length);
     if (s->failed)
-        return;
+        return 0;
     if (memcmp(tag, s->tag, sizeof tag) != 0) {
         crt_fail(&s->err, "the snapshot has no part %s where it should be", s->tag);
-        s->failed = true;
-    } else if (found != version) {
-        crt_fail(&s->err, "the snapshot's part %s is of version %lu; this program has version %lu",
-                 s->tag, (unsigned long)found, (unsigned long)version);
         s->failed = true;
     } else if (length > s->in_size - s->at) {
         crt_state_fail(s, "the snapshot ends too early");
@@ -307,6 +330,17 @@ static void begin_loading(struct crt_state *s, uint32_t version)
         s->section = s->at + (size_t)length;
         s->open = true;
     }
+    return version;
+}
+
+static void begin_loading(struct crt_state *s, uint32_t version)
+{
+    uint32_t found = open_section(s);
+    if (s->failed || found == version)
+        return;
+    crt_fail(&s->err, "the snapshot's part %s is of version %lu; this program has version %lu",
+             s->tag, (unsigned long)found, (unsigned long)version);
+    s->failed = true;
 }
 
 void crt_state_begin(struct crt_state *s, const char *tag, uint32_t version)
@@ -336,6 +370,18 @@ void crt_state_end(struct crt_state *s)
     }
     if (!s->failed && !s->loading)
         put(s->out + s->section, s->size - s->section - 8, 8);
+    s->open = false;
+}
+
+void crt_state_skip(struct crt_state *s, const char *tag)
+{
+    assert(s->loading && !s->open && strlen(tag) == 4);
+    if (s->failed)
+        return;
+    memcpy(s->tag, tag, sizeof s->tag);
+    (void)open_section(s);
+    if (!s->failed)
+        s->at = s->section;
     s->open = false;
 }
 

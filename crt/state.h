@@ -43,6 +43,8 @@ void crt_state_free(struct crt_state *s);
  * the section must have been read at its end. */
 void crt_state_begin(struct crt_state *s, const char *tag, uint32_t version);
 void crt_state_end(struct crt_state *s);
+/* Loading: passes over a whole section with this tag, of whatever version. */
+void crt_state_skip(struct crt_state *s, const char *tag);
 
 void crt_state_bool(struct crt_state *s, bool *v); /* anything but 0 and 1 is refused */
 void crt_state_u8(struct crt_state *s, uint8_t *v);

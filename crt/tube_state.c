@@ -104,15 +104,9 @@ static void load_plane(struct crt_planes *planes, int k, uint32_t tiles, struct 
 
 static void planes_state(struct crt_planes *planes, struct crt_state *s)
 {
-    uint32_t cols = (uint32_t)planes->cols, rows = (uint32_t)planes->rows;
     uint32_t count = (uint32_t)planes->count;
-    crt_state_u32(s, &cols);
-    crt_state_u32(s, &rows);
     crt_state_u32(s, &count);
-    if (!crt_state_check(s,
-                         cols == (uint32_t)planes->cols && rows == (uint32_t)planes->rows &&
-                             count == (uint32_t)planes->count,
-                         "grid"))
+    if (!crt_state_check(s, count == (uint32_t)planes->count, "number of planes"))
         return;
     uint32_t tiles = (uint32_t)planes->tile_cols * (uint32_t)planes->tile_rows;
     for (int k = 0; k < planes->count; k++)
@@ -189,6 +183,21 @@ static void entries_state(struct crt_entries *list, const struct limits *limits,
     }
 }
 
+/* Cells lie where they did: in a close-up they do not. */
+static void grid_state(const struct crt_grid *grid, struct crt_state *s)
+{
+    struct crt_grid g = *grid;
+    crt_state_i32(s, &g.cols);
+    crt_state_i32(s, &g.rows);
+    crt_state_f64(s, &g.cell_mm);
+    crt_state_f64(s, &g.left_mm);
+    crt_state_f64(s, &g.top_mm);
+    if (g.cols != grid->cols || g.rows != grid->rows || g.cell_mm != grid->cell_mm ||
+        g.left_mm != grid->left_mm || g.top_mm != grid->top_mm)
+        crt_state_fail(s, "the snapshot's light lies on other film cells than this tube's: one of "
+                          "the two is a close-up, or another one");
+}
+
 /* ---- all of it --------------------------------------------------------------------------------- */
 
 static void knobs_state(struct crt_tube *tube, struct crt_state *s)
@@ -225,6 +234,7 @@ void crt_tube_state(struct crt_tube *tube, struct crt_state *s)
 {
     assert(!s->loading || !tube->films);
     crt_state_begin(s, "TUBE", VERSION);
+    grid_state(&tube->desc.grid, s);
     time_state(tube, s);
     knobs_state(tube, s);
     planes_state(&tube->planes, s);

@@ -26,6 +26,7 @@
 
 #include "crt/geometry.h"
 #include "crt/piece.h"
+#include "crt/state.h"
 #include "display_file/timing.h"
 
 enum df_interrupt { DF_INT_STOP, DF_INT_PEN, DF_INT_CHARACTER, DF_INT_COUNT };
@@ -149,5 +150,10 @@ void df_dpu_step(struct df_dpu *dpu);
 
 /* The line sync tick. */
 void df_dpu_sync(struct df_dpu *dpu, uint64_t t);
+
+/* Everything but desc and what follows from it, between two words: also what RESUME has still to
+ * draw, half a datum, levels of the interrupt lines. Loading calls no wire: whoever keeps levels
+ * loads them itself. A processor whose loading failed is fit to be reset or loaded again. */
+void df_dpu_state(struct df_dpu *dpu, struct crt_state *s);
 
 #endif

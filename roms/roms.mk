@@ -4,6 +4,7 @@
 #   roms/bench/NAME.c              a benchmark      -> roms/bench/NAME.elf
 #                                  … and for comparison -> tests/bench/user/NAME.elf, the same object
 #                                  code as a program of a Linux user
+#   tests/roms/NAME.c              a program for tests -> tests/roms/NAME.elf
 #   roms/bsp/                      board support, an archive: programs take what they use
 #
 # The same sources and tool versions (roms/TOOLCHAIN) give the same bytes wherever the tree lies:
@@ -29,6 +30,7 @@ ROM_FOLDERS  := $(filter-out bsp bench pictures,$(patsubst roms/%/,%,$(sort $(di
 ROM_PROGRAMS := $(sort $(ROM_FOLDERS) $(patsubst roms/%.c,%,$(wildcard roms/*.c)))
 ROM_BENCHES  := $(patsubst roms/%.c,%,$(sort $(filter-out roms/bench/main.c,$(wildcard roms/bench/*.c))))
 ROM_USERS    := $(ROM_BENCHES:bench/%=tests/bench/user/%.elf)
+ROM_TESTS    := $(sort $(wildcard tests/roms/*.c))
 ROM_IMAGES   := $(patsubst %,roms/%.elf,$(ROM_PROGRAMS) $(ROM_BENCHES))
 ROM_HEADERS  := $(wildcard roms/*/*.h)
 
@@ -39,7 +41,7 @@ rom_objects = $(patsubst roms/%.c,$(ROM_O)/%.o,$(rom_sources))
 roms: rom-images
 	@tests/toolchain.sh >roms/TOOLCHAIN
 
-rom-images: $(ROM_IMAGES) $(ROM_USERS)
+rom-images: $(ROM_IMAGES) $(ROM_TESTS:.c=.elf) $(ROM_USERS)
 
 # As fast code is compiled; loops stay loops, so that kernels call nothing.
 $(ROM_O)/bench/%.o: ROM_CFLAGS += -O2 -ffp-contract=fast -fno-tree-loop-distribute-patterns
@@ -62,16 +64,24 @@ $(ROM_O)/libbsp.a: $(ROM_BSP:roms/%.c=$(ROM_O)/%.o)
 	$(ROM_CROSS)ar rcsD $@ $^
 
 # Linking, then stripping: local labels, debugging sections, the compiler's name.
+# IMAGE, OBJECTS, what printf knows
 define rom_rule
-roms/$(1).elf: $(ROM_O)/bsp/crt0.o $(ROM_O)/bsp/trap.o $(2) $(ROM_O)/libbsp.a $(ROM_O)/link.ld
-	@mkdir -p $$(@D) $(ROM_O)/$(dir $(1))
-	$(ROM_CROSS)gcc $(ROM_SPECS) $$(or $$(ROM_PRINTF_$(1)),$$(ROM_PRINTF)) $(ROM_ARCH) $(ROM_LDFLAGS) \
-	  -o $(ROM_O)/$(1).linked $$(filter %.o,$$^) \
+$(1): $(ROM_O)/bsp/crt0.o $(ROM_O)/bsp/trap.o $(2) $(ROM_O)/libbsp.a $(ROM_O)/link.ld
+	@mkdir -p $$(@D) $(ROM_O)/linked
+	$(ROM_CROSS)gcc $(ROM_SPECS) $(or $(3),$(ROM_PRINTF)) $(ROM_ARCH) $(ROM_LDFLAGS) \
+	  -o $(ROM_O)/linked/$$(@F) $$(filter %.o,$$^) \
 	  -Wl,--start-group $(ROM_O)/libbsp.a -lm -lc -lgcc -Wl,--end-group
-	$(ROM_CROSS)strip --strip-debug -X -R .comment -o $$@ $(ROM_O)/$(1).linked
+	$(ROM_CROSS)strip --strip-debug -X -R .comment -o $$@ $(ROM_O)/linked/$$(@F)
 endef
-$(foreach p,$(ROM_PROGRAMS),$(eval $(call rom_rule,$(p),$(call rom_objects,$(p)))))
-$(foreach p,$(ROM_BENCHES),$(eval $(call rom_rule,$(p),$(ROM_O)/$(p).o $(ROM_O)/bench/main.o)))
+$(foreach p,$(ROM_PROGRAMS),$(eval \
+  $(call rom_rule,roms/$(p).elf,$(call rom_objects,$(p)),$(ROM_PRINTF_$(p)))))
+$(foreach p,$(ROM_BENCHES),$(eval \
+  $(call rom_rule,roms/$(p).elf,$(ROM_O)/$(p).o $(ROM_O)/bench/main.o)))
+$(foreach p,$(ROM_TESTS:.c=),$(eval $(call rom_rule,$(p).elf,$(ROM_O)/$(p).o)))
+
+$(ROM_O)/tests/roms/%.o: tests/roms/%.c roms/roms.mk
+	@mkdir -p $(@D)
+	$(ROM_CROSS)gcc $(ROM_CFLAGS) -MMD -MP -c -o $@ $<
 
 $(ROM_O)/user/%.o: tests/bench/user/%.c roms/roms.mk
 	@mkdir -p $(@D)

@@ -20,7 +20,6 @@ enum {
     RADIUS = 490,
     CORNERS = 48, /* of the star; each is joined to the 17th after it */
     STEP = 17,
-    DIGITS = 4,
     WIDTH = 60, /* of a digit, with room of 24 after it */
     HEIGHT = 110,
     PITCH = 84,
@@ -69,12 +68,13 @@ static void write_digits(const struct count *count)
 {
     struct display d = count->digits;
     unsigned rest = count->stops;
+    int digits = 1;
+    for (unsigned n = rest; n >= 10; n /= 10)
+        digits++;
+    int x = MIDDLE + (digits * PITCH - (PITCH - WIDTH)) / 2 - WIDTH; /* of the last */
     display_intensity(&d, 7);
-    for (int i = DIGITS - 1; i >= 0; i--) {
-        int x = MIDDLE - (DIGITS * PITCH - (PITCH - WIDTH)) / 2 + i * PITCH;
+    for (; digits > 0; digits--, x -= PITCH, rest /= 10)
         digit(&d, x, MIDDLE - HEIGHT / 2, rest % 10);
-        rest /= 10;
-    }
     display_stop(&d);
 }
 

@@ -6,8 +6,6 @@
 
 #include "emu/memmap.h"
 
-void rv_state(struct rv_cpu *cpu, struct crt_state *s);
-
 /* ---- time ------------------------------------------------------------------------------------------ */
 
 uint64_t vm_board_time(const struct vm_board *board, uint64_t cycle)
@@ -306,27 +304,54 @@ static bool wires_agree(const struct vm_board *b)
     return b->cpu.mip == mip && b->uart.level == (b->irq.pending >> IRQ_LINE_UART & 1);
 }
 
-/* The processor has not run past what devices have still to do. */
+/* Later than any run comes, with room for sums. */
+#define LAST_TIME (UINT64_MAX - 1000 * CRT_PS_PER_S)
+
+/* The processor has not run past what devices have still to do, nor the run ended in the future. */
 static bool times_agree(const struct vm_board *b)
 {
     uint64_t next = vm_board_next(b);
-    return b->cpu.cycle <= vm_board_cycle(b, UINT64_MAX) - 1 &&
-           (next == UINT64_MAX || b->cpu.cycle <= vm_board_cycle(b, next));
+
+    if (b->cpu.cycle > vm_board_cycle(b, LAST_TIME))
+        return false;
+    if (next != UINT64_MAX && b->cpu.cycle > vm_board_cycle(b, next))
+        return false;
+    return !b->finisher.done || b->finisher.t <= vm_board_now(b);
+}
+
+/* Read-only ranges are the program's; they come with memory. */
+static void rom_state(struct vm_board *b, struct crt_state *s)
+{
+    struct rv_range rom[RV_MAX_ROM];
+    unsigned count = (unsigned)b->cpu.rom_count;
+
+    memcpy(rom, b->cpu.rom, sizeof rom);
+    crt_state_unsigned(s, &count, RV_MAX_ROM);
+    if (s->loading)
+        rv_writable(&b->cpu);
+    for (unsigned i = 0; i < count; i++) {
+        crt_state_u32(s, &rom[i].low);
+        crt_state_u32(s, &rom[i].high);
+        bool within = rom[i].low >= MAP_PROGRAM && rom[i].low <= rom[i].high &&
+                      rom[i].high <= MAP_PROGRAM + MAP_PROGRAM_SIZE;
+        if (crt_state_check(s, within, "read-only memory") && s->loading)
+            rv_protect(&b->cpu, rom[i].low, rom[i].high);
+    }
 }
 
 void vm_board_state(struct vm_board *board, struct crt_state *s)
 {
+    crt_state_begin(s, "PMEM", 1);
+    crt_state_pages(s, board->memory, MAP_PROGRAM_SIZE);
+    rom_state(board, s);
+    crt_state_end(s);
     rv_state(&board->cpu, s);
     vm_uart_state(&board->uart, s);
     vm_clint_state(&board->clint, s);
     vm_irq_state(&board->irq, s);
     vm_finisher_state(&board->finisher, s);
-    crt_state_begin(s, "PMEM", 1);
-    crt_state_pages(s, board->memory, MAP_PROGRAM_SIZE);
-    crt_state_end(s);
     if (!s->loading)
         return;
-    rv_changed(&board->cpu, MAP_PROGRAM, MAP_PROGRAM + MAP_PROGRAM_SIZE);
     crt_state_check(s, wires_agree(board), "interrupt wiring");
     crt_state_check(s, times_agree(board), "time of the processor");
 }

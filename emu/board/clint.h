@@ -10,7 +10,8 @@
  *             between is what the comparison sees.
  * Time:       picoseconds since power-on. mtime counts at 10 MHz, exactly: floor(t / 100 000 ps) plus
  *             what a write to it has added; wraps at 2^64.
- * Power-on:   msip 0, mtimecmp all ones: no interrupt.
+ * Power-on:   msip 0, mtimecmp all ones: no interrupt. On QEMU's board mtimecmp is 0 and the timer
+ *             interrupt pending: programs for both write mtimecmp before they enable it.
  * Ownership:  the caller owns the struct; contexts must outlive it. Allocates nothing.
  * Errors:     other offsets read 0 and ignore writes.
  * Source:     RISC-V Advanced Core Local Interruptor Specification 1.0-rc4 (registers as SiFive's

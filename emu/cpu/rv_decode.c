@@ -236,19 +236,44 @@ static struct rv_entry decode_word(const struct rv_cpu *cpu, uint32_t pc, uint32
     }
 }
 
+/* Makes the entry do the work of the next one, too, when they are a pair. The next entry stays as it
+ * is: its handler is for those who jump there, its operands for both. */
+static void join(struct rv_entry *entry, unsigned first, unsigned second)
+{
+    static const struct {
+        uint8_t first, second, both;
+    } pairs[] = {
+#define PAIR(first, second) {RV_DO_##first, RV_DO_##second, RV_DO_##first##_##second},
+        RV_ALL_PAIRS(PAIR)
+#undef PAIR
+    };
+    for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++)
+        if (pairs[i].first == first && pairs[i].second == second)
+            entry->op = pairs[i].both;
+}
+
+/* Words up to the next checkpoint. */
+static void decode_run(struct rv_cpu *cpu, struct rv_entry *entry, uint32_t words)
+{
+    uint32_t pc = rv_pc_of(cpu, entry), word;
+    uint8_t op[RV_RUN];
+    rv_mark_decoded(cpu, pc - cpu->desc.memory_base);
+    for (uint32_t i = 0; i < words; i++) {
+        rv_fetch(cpu, pc + 4 * i, &word);
+        entry[i] = decode_word(cpu, pc + 4 * i, word);
+        op[i] = entry[i].op;
+    }
+    for (uint32_t i = 0; i + 1 < words; i++)
+        join(entry + i, op[i], op[i + 1]);
+}
+
 void rv_decode(struct rv_cpu *cpu, struct rv_entry *entry)
 {
-    uint32_t index = (uint32_t)(entry - cpu->entries), word;
-    if (index == rv_index_of_word(cpu->desc.memory_size / 4)) {
+    uint32_t index = (uint32_t)(entry - cpu->entries), place = index % (RV_RUN + 1);
+    if (index == rv_index_of_word(cpu->desc.memory_size / 4))
         entry->op = RV_DO_END;
-        return;
-    }
-    if (index % (RV_RUN + 1) == RV_RUN) {
+    else if (place == RV_RUN)
         entry->op = RV_DO_CHECKPOINT;
-        return;
-    }
-    uint32_t pc = rv_pc_of(cpu, entry);
-    rv_fetch(cpu, pc, &word);
-    rv_mark_decoded(cpu, pc - cpu->desc.memory_base);
-    *entry = decode_word(cpu, pc, word);
+    else
+        decode_run(cpu, entry, RV_RUN - place);
 }

@@ -21,16 +21,18 @@
 #include "emu/cpu/rv_op_list.h"
 
 #define RV_RUN    64 /* instructions between checkpoints */
-#define RV_JOINED 1  /* an entry may do the work of so many behind it, too */
+#define RV_JOINED 1  /* an entry may do the work of so many behind it, too: pairs */
 
 enum rv_op {
     RV_DO_DECODE = 0,
     RV_DO_CHECKPOINT,
     RV_DO_END, /* behind the last word of memory */
     RV_DO_SLOW,
-#define NAME(name, ...) RV_DO_##name,
-    RV_ALL_OPS(NAME)
+#define NAME(name)          RV_DO_##name,
+#define PAIR(first, second) RV_DO_##first##_##second,
+    RV_ALL_OPS(NAME) RV_ALL_PAIRS(PAIR)
 #undef NAME
+#undef PAIR
         RV_DO_COUNT
 };
 
@@ -61,7 +63,7 @@ static inline uint32_t rv_pc_of(const struct rv_cpu *cpu, const struct rv_entry 
     return cpu->desc.memory_base + 4 * rv_word_of_index((uint32_t)(entry - cpu->entries));
 }
 
-/* Fills the entry from memory. */
+/* Fills the entry from memory, and those behind it up to the next checkpoint. */
 void rv_decode(struct rv_cpu *cpu, struct rv_entry *entry);
 
 #endif

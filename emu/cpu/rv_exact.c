@@ -1,4 +1,5 @@
 /* rv_exact.c — the loop that can stop at any clock. */
+#include "emu/cpu/rv_arithmetic.h"
 #include "emu/cpu/rv_decode.h"
 #include "emu/cpu/rv_float_fast.h"
 #include "emu/cpu/rv_parts.h"

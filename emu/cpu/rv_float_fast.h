@@ -37,64 +37,60 @@ static inline uint32_t rv_bits_of(float f)
     return bits;
 }
 
-static inline bool rv_is_zero(uint32_t a)
-{
-    return a << 1 == 0;
-}
-
 /* Above the smallest normal number, and finite. The smallest itself may have come by rounding from
  * below it, which underflows. */
-static inline bool rv_is_plain(uint32_t r)
+static inline bool rv_is_plain(float r)
 {
-    return (r & 0x7FFFFFFFu) - 0x00800001u < 0x7F800000u - 0x00800001u;
+    return __builtin_expect((rv_bits_of(r) & 0x7FFFFFFFu) - 0x00800001u < 0x7EFFFFFFu, 1);
 }
 
 /* Sums cannot underflow: what is below the normal numbers is exact. */
-static inline bool rv_fast_add(uint32_t a, uint32_t b, uint32_t *r)
+static inline bool rv_fast_add(float a, float b, float *r)
 {
-    *r = rv_bits_of(rv_float_of(a) + rv_float_of(b));
-    return *r << 1 < 0xFF000000u;
+    *r = a + b;
+    return rv_bits_of(*r) << 1 < 0xFF000000u;
 }
 
-static inline bool rv_fast_sub(uint32_t a, uint32_t b, uint32_t *r)
+static inline bool rv_fast_sub(float a, float b, float *r)
 {
-    *r = rv_bits_of(rv_float_of(a) - rv_float_of(b));
-    return *r << 1 < 0xFF000000u;
+    *r = a - b;
+    return rv_bits_of(*r) << 1 < 0xFF000000u;
 }
 
-static inline bool rv_fast_mul(uint32_t a, uint32_t b, uint32_t *r)
+static inline bool rv_fast_mul(float a, float b, float *r)
 {
-    *r = rv_bits_of(rv_float_of(a) * rv_float_of(b));
-    return rv_is_plain(*r) || (rv_is_zero(*r) && (rv_is_zero(a) || rv_is_zero(b)));
+    *r = a * b;
+    return rv_is_plain(*r) || (*r == 0 && (a == 0 || b == 0));
 }
 
-static inline bool rv_fast_div(uint32_t a, uint32_t b, uint32_t *r)
+static inline bool rv_fast_div(float a, float b, float *r)
 {
-    *r = rv_bits_of(rv_float_of(a) / rv_float_of(b));
-    return rv_is_plain(*r) || (rv_is_zero(*r) && rv_is_zero(a));
+    *r = a / b;
+    return rv_is_plain(*r) || (*r == 0 && a == 0);
 }
 
 /* The root of a positive normal number is one. */
-static inline bool rv_fast_sqrt(uint32_t a, uint32_t *r)
+static inline bool rv_fast_sqrt(float a, float *r)
 {
-    if (a - 0x00800000u >= 0x7F800000u - 0x00800000u)
+    if (rv_bits_of(a) - 0x00800000u >= 0x7F800000u - 0x00800000u)
         return false;
-    *r = rv_bits_of(sqrtf(rv_float_of(a)));
+    *r = sqrtf(a);
     return true;
 }
 
-/* a·b + c, by double precision. The product is exact (24 + 24 bits of 53). The sum is rounded to 53
- * bits, and then again to 24. Rounding twice goes wrong only where the first lands on the middle
- * between two floats without having been there: if the sum is not such a middle, then it lies on the
- * same side of every middle as the exact value does, because rounding keeps order and middles are
- * doubles. If it is one, it is certain when the first rounding was exact (Knuth's TwoSum). */
-static inline bool rv_fast_fma(double product, double c, uint32_t *r)
+/* product + c, by double precision; the product of two floats is exact there (24 + 24 bits of 53).
+ * The sum is rounded to 53 bits, and then again to 24. Rounding twice goes wrong only where the first
+ * lands on the middle between two floats without having been there: if the sum is not such a middle,
+ * then it lies on the same side of every middle as the exact value does, because rounding keeps order
+ * and middles are doubles. If it is one, it is certain when the first rounding was exact (Knuth's
+ * TwoSum). */
+static inline bool rv_fast_fma(double product, double c, float *r)
 {
     double sum = product + c;
     uint64_t bits;
     memcpy(&bits, &sum, sizeof bits);
-    *r = rv_bits_of((float)sum);
-    if ((bits & 0x1FFFFFFFu) == 0x10000000u) {
+    *r = (float)sum;
+    if (__builtin_expect((bits & 0x1FFFFFFFu) == 0x10000000u, 0)) {
         double c_part = sum - product;
         if ((product - (sum - c_part)) + (c - c_part) != 0)
             return false;
@@ -102,36 +98,21 @@ static inline bool rv_fast_fma(double product, double c, uint32_t *r)
     return rv_is_plain(*r) || sum == 0;
 }
 
-/* The signs of product and c are 1 or −1, known when compiling. */
-static inline bool rv_fast_madd(uint32_t a, uint32_t b, uint32_t c, double product_sign,
-                                double c_sign, uint32_t *r)
-{
-    double product = (double)rv_float_of(a) * (double)rv_float_of(b);
-    return rv_fast_fma(product_sign < 0 ? -product : product,
-                       c_sign < 0 ? -(double)rv_float_of(c) : (double)rv_float_of(c), r);
-}
-
-/* Comparisons and the like need no rounding mode. NaNs are not certain. */
-static inline bool rv_ordered(uint32_t a, uint32_t b)
-{
-    return !isunordered(rv_float_of(a), rv_float_of(b));
-}
-
 /* Toward zero; |a| < 2³¹. */
-static inline bool rv_fast_to_w(uint32_t a, uint32_t *r)
+static inline bool rv_fast_to_w(float a, uint32_t *r)
 {
-    if ((a & 0x7FFFFFFFu) >= 0x4F000000u)
+    if ((rv_bits_of(a) & 0x7FFFFFFFu) >= 0x4F000000u)
         return false;
-    *r = (uint32_t)(int32_t)rv_float_of(a);
+    *r = (uint32_t)(int32_t)a;
     return true;
 }
 
 /* Toward zero; 0 <= a < 2³². */
-static inline bool rv_fast_to_wu(uint32_t a, uint32_t *r)
+static inline bool rv_fast_to_wu(float a, uint32_t *r)
 {
-    if (a >= 0x4F800000u)
+    if (rv_bits_of(a) >= 0x4F800000u)
         return false;
-    *r = (uint32_t)rv_float_of(a);
+    *r = (uint32_t)a;
     return true;
 }
 

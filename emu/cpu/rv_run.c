@@ -1,4 +1,5 @@
 /* rv_run.c — the fast loop, and who calls which loop. */
+#include "emu/cpu/rv_arithmetic.h"
 #include "emu/cpu/rv_decode.h"
 #include "emu/cpu/rv_float_fast.h"
 #include "emu/cpu/rv_parts.h"

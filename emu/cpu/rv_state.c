@@ -66,6 +66,5 @@ void rv_state(struct rv_cpu *cpu, struct crt_state *s)
     crt_state_check(s, cpu->idle <= cpu->cycle && cpu->cycle < UINT64_MAX / 4, "cycle count");
     cpu->x[0] = 0;
     cpu->attention = false;
-    rv_float_mode(cpu);
     rv_changed(cpu, cpu->desc.memory_base, cpu->desc.memory_base + cpu->desc.memory_size);
 }

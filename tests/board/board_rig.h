@@ -52,6 +52,15 @@ static inline void board_load(struct board_rig *r, const struct code *code)
     vm_board_load(r->b, &elf);
 }
 
+/* Ends the run with a status other than 0. */
+static inline void finish_with(struct code *c, uint32_t status)
+{
+    li(c, T0, MAP_FINISHER);
+    li(c, T1, status << 16 | FINISHER_FAIL);
+    sw(c, T1, T0, 0);
+    jump(c, c->n);
+}
+
 /* One slice and the event at its end; false when the run is over or t has come. */
 static inline bool board_slice(struct board_rig *r, uint64_t t)
 {

@@ -143,10 +143,10 @@ static void added_range(void **state)
 
 /* ---- programs ---------------------------------------------------------------------------------------- */
 
-static void finish(struct code *c, uint32_t value)
+static void finish(struct code *c)
 {
     li(c, T0, MAP_FINISHER);
-    li(c, T1, value);
+    li(c, T1, FINISHER_PASS);
     sw(c, T1, T0, 0);
     jump(c, c->n);
 }
@@ -158,7 +158,7 @@ static void exit_status(void **state)
     struct board_rig r;
     struct code c = {{0}, 0};
     board_open(&r, MHZ50);
-    finish(&c, 42u << 16 | FINISHER_FAIL);
+    finish_with(&c, 42);
     board_load(&r, &c);
     board_run(&r, CRT_PS_PER_S);
     assert_true(r.b->finisher.done);
@@ -194,7 +194,7 @@ static void timer(void **state)
     csrr(&c, S1, CSR_TIME);
     csrr(&c, A2, CSR_MCAUSE);
     csrr(&c, A3, CSR_MEPC);
-    finish(&c, FINISHER_PASS);
+    finish(&c);
     board_load(&r, &c);
     board_run(&r, CRT_PS_PER_S);
     assert_true(r.b->finisher.done);
@@ -228,7 +228,7 @@ static void timer_while_busy(void **state)
     unsigned before = 13; /* instructions up to the loop */
     c.n = 32;
     csrr(&c, S1, CSR_MCYCLE);
-    finish(&c, FINISHER_PASS);
+    finish(&c);
     board_load(&r, &c);
     board_run(&r, CRT_PS_PER_S);
     assert_int_equal(r.b->cpu.x[S1], 5000);
@@ -277,7 +277,7 @@ static void three_interrupts(void **state)
     c.n = 112;
     emit(&c, 0x00441413);
     addi(&c, S0, S0, 3);
-    finish(&c, FINISHER_PASS);
+    finish(&c);
     c.n = 128;
     lw(&c, S1, A2, IRQ_CLAIM);
     lbu(&c, T1, A3, UART_IIR);
@@ -313,7 +313,7 @@ static void print(void **state)
     lbu(&c, T0, A3, UART_LSR);
     andi(&c, T0, T0, LSR_EMPTY);
     beq(&c, T0, ZERO, wait);
-    finish(&c, FINISHER_PASS);
+    finish(&c);
     board_load(&r, &c);
     board_run(&r, CRT_PS_PER_S);
     assert_int_equal(r.sent, 3);
@@ -349,7 +349,7 @@ static void echo_program(struct code *c)
     addi(c, S0, S0, 1);
     mret(c);
     c->n = 48;
-    finish(c, 7u << 16 | FINISHER_FAIL);
+    finish_with(c, 7);
 }
 
 /* Offers the next byte of `input` as soon as the receiver takes it. */
@@ -435,7 +435,7 @@ static void load_resets(void **state)
     li(&c, A3, MAP_UART);
     addi(&c, T1, ZERO, IER_THR);
     sb(&c, T1, A3, UART_IER);
-    finish(&c, FINISHER_PASS);
+    finish(&c);
     board_load(&r, &c);
     board_run(&r, CRT_PS_PER_MS);
     assert_true(r.b->finisher.done);

@@ -70,7 +70,7 @@ static inline uint32_t operand_fraction(uint64_t *state)
     case 1:
         return 1u << (r >> 8) % 23; /* one of them */
     case 2:
-        return 0x7fffff << (r >> 8) % 24 & 0x7fffff; /* ones above, zeros below */
+        return 0x7fffffu << (r >> 8) % 24 & 0x7fffff; /* ones above, zeros below */
     case 3:
         return 0x7fffff & ~(fraction & operand_random(state) & operand_random(state));
     default:

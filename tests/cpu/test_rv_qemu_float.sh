@@ -8,6 +8,7 @@ work=$TEST_OUT/qemu_float
 rm -rf "$work"
 mkdir -p "$work"
 . tests/support/tap.sh
+needed=riscv64-unknown-elf-gcc
 . tests/cpu/qemu/tools.sh
 
 cross -o "$work/guest" tests/cpu/qemu/float_guest.c tests/cpu/qemu/float_run.c >"$work/said" 2>&1

@@ -218,6 +218,30 @@ static void a_part_ends_where_its_section_does(void **state)
     crt_state_free(&save);
 }
 
+static void a_part_can_be_passed_over(void **state)
+{
+    (void)state;
+    struct crt_state save, load;
+    uint32_t n = 5, m = 0;
+    crt_state_save(&save);
+    crt_state_begin(&save, "FOUR", 1);
+    crt_state_u32(&save, &n);
+    crt_state_end(&save);
+    crt_state_u32(&save, &n);
+    crt_state_load(&load, save.out, save.size);
+    crt_state_skip(&load, "FOUR");
+    crt_state_u32(&load, &m);
+    assert_false(load.failed);
+    assert_int_equal(m, 5);
+    crt_state_load(&load, save.out, save.size);
+    crt_state_skip(&load, "FIVE");
+    assert_true(load.failed);
+    crt_state_load(&load, save.out, 18);
+    crt_state_skip(&load, "FOUR");
+    assert_true(load.failed);
+    crt_state_free(&save);
+}
+
 /* ---- memory ------------------------------------------------------------------------------------ */
 
 static void dark_pages_are_left_out(void **state)
@@ -297,6 +321,7 @@ int main(void)
         cmocka_unit_test(a_longer_part_is_refused),
         cmocka_unit_test(errors_stick),
         cmocka_unit_test(a_part_ends_where_its_section_does),
+        cmocka_unit_test(a_part_can_be_passed_over),
         cmocka_unit_test(dark_pages_are_left_out),
         cmocka_unit_test(words_are_little_endian),
         cmocka_unit_test(pages_out_of_order_are_refused),

@@ -362,7 +362,7 @@ static void another_grid_is_refused(void **state)
     crt_state_load(&s, saved.out, saved.size);
     crt_tube_state(other, &s);
     assert_true(s.failed);
-    assert_string_equal(s.err.text, "the snapshot's grid is impossible");
+    assert_non_null(strstr(s.err.text, "other film cells"));
     crt_state_free(&saved);
     crt_tube_destroy(other);
     tear_down(b);

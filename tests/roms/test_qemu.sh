@@ -45,8 +45,8 @@ report $? "hello: kinescope's exit status is 0"
 grep -q '^Memory map 1, ' "$work/hello.ours"
 report $? "hello: it knows where it is"
 said "$work/hello.ours"
-[ "$(grep -c '^You typed: ' "$work/hello.ours.said")" = 6 ]
-report $? "hello: six lines come back"
+[ "$(grep -c '^You typed: ' "$work/hello.ours.said")" = 7 ]
+report $? "hello: seven lines come back"
 grep -q '^You typed: two' "$work/hello.ours.said"
 report $? "hello: what was rubbed out is not among them"
 if qemu; then

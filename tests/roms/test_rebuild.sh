@@ -8,6 +8,8 @@ rm -rf "$work"
 mkdir -p "$work/a tree/emu" "$work/a tree/tests"
 . tests/support/tap.sh
 
+images() { find roms tests/roms tests/bench/user -name '*.elf' | sort; }
+
 sh tests/toolchain.sh >"$work/tools"
 if ! cmp -s "$work/tools" roms/TOOLCHAIN; then
     echo "ok 1 - images are what their sources give # SKIP the tools are not those of roms/TOOLCHAIN: $(
@@ -19,26 +21,29 @@ fi
 cd "$work/a tree" || exit 1
 top=$OLDPWD
 cp -R "$top/roms" "$top/Makefile" .
+cp -R "$top/tests/roms" tests/
+mkdir tests/bench
+cp -R "$top/tests/bench/user" tests/bench/
 cp "$top/emu/memmap.h" emu/
 for header in "$top"/*/*_regs.h; do
     folder=$(basename "$(dirname "$header")")
     mkdir -p "$folder"
     cp "$header" "$folder/"
 done
-find roms -name '*.elf' -exec rm {} +
+images | xargs rm
 MAKEFLAGS= make -s rom-images rom-headers CC=gcc >"$work/said" 2>&1
 report $? "the images can be built in another folder"
 grep -i warning "$work/said"
 [ $? = 1 ]
 report $? "without warnings"
-for image in $(cd "$top" && find roms -name '*.elf' | sort); do
+for image in $(cd "$top" && images); do
     cmp "$top/$image" "$image" >"$work/said" 2>&1
     report $? "$image has the same bytes"
 done
-(cd "$top" && find roms -name '*.elf' | sort) >"$work/kept"
-find roms -name '*.elf' | sort | diff "$work/kept" - >"$work/said"
+(cd "$top" && images) >"$work/kept"
+images | diff "$work/kept" - >"$work/said"
 report $? "every program has its image"
-[ -z "$(find "$top/roms" -name '*.elf' -size +60k)" ]
+[ -z "$(find "$top/roms" "$top/tests/roms" "$top/tests/bench/user" -name '*.elf' -size +60k)" ]
 report $? "no image is larger than 60 KiB"
 echo "1..$number"
 exit $failed

@@ -1,0 +1,188 @@
+/* A machine in a snapshot: time, counts, what a refresh is, display memory, display processor; and
+ * the board with its console where there is one. */
+#include "emu/machine.h"
+#include "emu/memmap.h"
+
+#define VERSION 1
+
+/* Later times leave too little of 64 bits to go on, ps. */
+#define LATEST (UINT64_C(1) << 63)
+
+/* A word takes less, ps: ticks that fall within it are this far back at most. */
+#define LONGEST (UINT64_C(1) << 51)
+
+static void refresh_state(struct vm_refresh *r, struct crt_state *s)
+{
+    crt_state_u64(s, &r->number);
+    crt_state_u64(s, &r->begin);
+    crt_state_u64(s, &r->end);
+    crt_state_u64(s, &r->words);
+    crt_state_u64(s, &r->instructions);
+    crt_state_u64(s, &r->strokes);
+    crt_state_u64(s, &r->lit);
+}
+
+static void refreshes_state(struct vm_refreshes *r, struct crt_state *s)
+{
+    crt_state_bool(s, &r->flow.stops);
+    crt_state_bool(s, &r->flow.loops);
+    crt_state_bool(s, &r->flow.synchronised);
+    crt_state_bool(s, &r->flow.start_begins);
+    crt_state_u32(s, &r->flow.head);
+    crt_state_bool(s, &r->declared);
+    crt_state_bool(s, &r->running);
+    refresh_state(&r->current, s);
+    refresh_state(&r->last, s);
+}
+
+static void program_state(struct vm_machine *m, struct crt_state *s)
+{
+    crt_state_bool(s, &m->has_program);
+    crt_state_u32(s, &m->entry);
+    crt_state_u32(s, &m->beside);
+    crt_state_size(s, &m->played, m->recording.count);
+    crt_state_u64(s, &m->loaded);
+    crt_state_u64(s, &m->strokes_before);
+}
+
+static void counts_state(struct vm_machine *m, struct crt_state *s)
+{
+    crt_state_u64(s, &m->now);
+    crt_state_u64(s, &m->ticks);
+    crt_state_u64(s, &m->strokes);
+    crt_state_u64(s, &m->lit);
+    crt_state_u64(s, &m->last_light);
+    crt_state_u64(s, &m->stops);
+    crt_state_u64(s, &m->last_stop);
+    crt_state_u64(s, &m->bells);
+    crt_state_u64(s, &m->marks);
+    crt_state_u32(s, &m->mark);
+    for (int line = 0; line < DF_INT_COUNT; line++) {
+        crt_state_u64(s, &m->interrupt[line].count);
+        crt_state_u64(s, &m->interrupt[line].last_t);
+        crt_state_u64(s, &m->interrupt[line].change);
+    }
+}
+
+/* ---- what is possible -------------------------------------------------------------------------- */
+
+static bool sane_entry(const struct vm_machine *m, uint32_t entry)
+{
+    return entry == VM_NO_ENTRY ||
+           (entry % 2 == 0 && entry < m->desc.memory_bytes && entry < DF_ADDRESS_SPACE);
+}
+
+static bool sane_program(const struct vm_machine *m)
+{
+    const struct vm_flow *flow = &m->refreshes.flow;
+    bool head = flow->head == VM_NO_HEAD || flow->head < DF_ADDRESS_SPACE;
+    /* Firmware may START anywhere, also where there is no memory. */
+    bool entry = m->desc.board ? m->entry == VM_NO_ENTRY || m->entry < DF_ADDRESS_SPACE
+                               : sane_entry(m, m->entry);
+    return entry && head && sane_entry(m, m->beside) &&
+           !(m->has_program && (m->recording.count || m->desc.board || m->entry == VM_NO_ENTRY));
+}
+
+/* The tick before the next one has happened. The next one has not, unless it falls within a word
+ * after whose end the machine paused. */
+static bool sane_time(const struct vm_machine *m)
+{
+    if (m->now >= LATEST || m->loaded > m->now || m->ticks == 0 ||
+        m->ticks - 1 > crt_tick_at(m->desc.tick, m->now))
+        return false;
+    uint64_t next = crt_tick_time(m->desc.tick, m->ticks);
+    return next >= m->now || (m->dpu.t >= m->now && m->now - next <= LONGEST);
+}
+
+static bool sane_counts(const struct vm_machine *m)
+{
+    const struct vm_refresh *current = &m->refreshes.current, *last = &m->refreshes.last;
+    uint64_t latest = m->dpu.t > m->now ? m->dpu.t : m->now; /* firmware may declare refreshes */
+    return m->strokes_before <= m->strokes && current->words <= m->dpu.words &&
+           current->instructions <= m->dpu.instructions && current->strokes <= m->strokes &&
+           current->lit <= m->lit && current->begin <= latest && last->begin <= last->end &&
+           last->end <= latest;
+}
+
+/* What is to be drawn next comes in time, and nothing else draws while a recording plays. */
+static bool sane_beam(const struct vm_machine *m)
+{
+    const struct vm_recording *r = &m->recording;
+    if (m->dpu.state == DF_RUNNING && m->dpu.t < m->now)
+        return false;
+    if (r->count == 0)
+        return true;
+    return m->dpu.state == DF_STOPPED &&
+           (m->played == 0 || r->strokes[m->played - 1].t0 < m->now) &&
+           (m->played == r->count || r->strokes[m->played].t0 >= m->now);
+}
+
+/* A line of the board is as the display processor has it, or has still to change. */
+static bool sane_lines(const struct vm_machine *m)
+{
+    static const unsigned lines[DF_INT_COUNT] = {[DF_INT_STOP] = IRQ_LINE_STOP,
+                                                 [DF_INT_PEN] = IRQ_LINE_PEN,
+                                                 [DF_INT_CHARACTER] = IRQ_LINE_CHAR};
+    for (int i = 0; i < DF_INT_COUNT; i++) {
+        uint64_t change = m->interrupt[i].change;
+        if (change != VM_NEVER && (!m->desc.board || change < m->now || change >= LATEST))
+            return false;
+        if (m->desc.board && change == VM_NEVER &&
+            (m->desc.board->irq.pending >> lines[i] & 1) != m->dpu.pending[i])
+            return false;
+    }
+    return true;
+}
+
+/* The processor has executed what it begins before now, and nothing that it begins later. */
+static bool sane_processor(const struct vm_machine *m)
+{
+    const struct vm_board *b = m->desc.board;
+    if (!b || b->cpu.state == RV_HALTED || b->finisher.done)
+        return true;
+    return b->cpu.cycle <= vm_board_cycle(b, m->now) && vm_board_next(b) >= m->now;
+}
+
+/* The tube has seen all that was drawn and nothing more. */
+static bool sane_tube(const struct vm_machine *m)
+{
+    if (!m->desc.tube)
+        return true;
+    struct crt_tube_times times = crt_tube_times(m->desc.tube);
+    const struct vm_recording *r = &m->recording;
+    uint64_t drawn = m->played ? r->strokes[m->played - 1].t0 : m->dpu.t;
+    return times.now == m->now && times.last_start <= drawn;
+}
+
+static void check(struct vm_machine *m, struct crt_state *s)
+{
+    crt_state_check(s, sane_time(m), "time");
+    crt_state_check(s, sane_program(m), "program");
+    crt_state_check(s, sane_counts(m), "count of a refresh");
+    crt_state_check(s, sane_beam(m), "next stroke");
+    crt_state_check(s, sane_tube(m), "time of the tube");
+    crt_state_check(s, sane_lines(m), "interrupt line");
+    crt_state_check(s, sane_processor(m), "time of the processor");
+}
+
+void vm_machine_state(struct vm_machine *m, struct crt_state *s)
+{
+    df_dpu_state(&m->dpu, s);
+    if (m->desc.board)
+        vm_board_state(m->desc.board, s);
+    if (m->desc.console)
+        vm_console_state(m->desc.console, s);
+    crt_state_begin(s, "MACH", VERSION);
+    program_state(m, s);
+    refreshes_state(&m->refreshes, s);
+    counts_state(m, s);
+    crt_state_word_pages(s, m->memory, sizeof m->memory / sizeof m->memory[0]);
+    check(m, s);
+    crt_state_end(s);
+    if (!s->loading || s->failed)
+        return;
+    m->tick_time = crt_tick_time(m->desc.tick, m->ticks);
+    m->advanced = m->desc.tube ? m->now : 0;
+    for (int line = 0; line < DF_INT_COUNT; line++)
+        m->interrupt[line].pending = m->dpu.pending[line];
+}
