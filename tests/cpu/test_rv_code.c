@@ -238,6 +238,20 @@ static void window_is_the_largest_stretch(void **state)
     assert_int_equal(r->cpu.store_size, 0xC000 - 0x2348);
 }
 
+/* The window ends where a read-only range begins within a word: that word is not in it. */
+static void window_ends_at_a_whole_word(void **state)
+{
+    (void)state;
+    rv_protect(&r->cpu, RIG_BASE + 0xF002, RIG_BASE + RIG_SIZE);
+    assert_int_equal(r->cpu.store_low + r->cpu.store_size, 0xF000);
+    RIG_PUT(r, 0, w_sw(S0, A1, 0), W_WFI);
+    set_registers();
+    r->cpu.x[A1] = RIG_BASE + 0xF000;
+    rig_run(r, 0, 100);
+    assert_int_equal(r->cpu.mcause, RV_STORE_FAULT);
+    assert_int_equal(rig_word(r, 0xF000), 0);
+}
+
 /* All of what can be known of a load or store before it is done. */
 static void access_of_a_word(void **state)
 {
@@ -280,6 +294,7 @@ int main(void)
         cmocka_unit_test_setup_teardown(changed_from_outside, set_up, tear_down),
         cmocka_unit_test_setup_teardown(stores_with_any_window, set_up, tear_down),
         cmocka_unit_test_setup_teardown(window_is_the_largest_stretch, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(window_ends_at_a_whole_word, set_up, tear_down),
         cmocka_unit_test_setup_teardown(access_of_a_word, set_up, tear_down),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

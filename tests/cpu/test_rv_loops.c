@@ -132,6 +132,26 @@ static void stops_at_every_clock(void **state)
     }
 }
 
+/* Code without a jump, from anywhere to anywhere. */
+static void stops_in_straight_runs(void **state)
+{
+    struct rig *r = &rigs[0];
+    (void)state;
+    rig_init(r);
+    for (uint32_t i = 0; i < 400; i++)
+        RIG_PUT(r, 4 * i, i % 3 == 2 ? W_NOP : w_addi(A0, A0, 1));
+    for (uint32_t start = 0; start < 140; start++)
+        for (uint32_t clocks = 1; clocks < 140; clocks++) {
+            r->cpu.x[A0] = 0;
+            r->cpu.pc = RIG_BASE + 4 * start;
+            rv_run(&r->cpu, r->cpu.cycle + clocks);
+            assert_int_equal(r->cpu.pc, RIG_BASE + 4 * (start + clocks));
+            uint32_t end = start + clocks;
+            assert_int_equal(r->cpu.x[A0], clocks - (end / 3 - start / 3));
+        }
+    rig_free(r);
+}
+
 struct tally {
     uint64_t instructions, trapped[16], interrupts;
 };
@@ -192,6 +212,7 @@ int main(void)
         cmocka_unit_test(same_with_switch_by_clock),
         cmocka_unit_test(same_decoding_anew),
         cmocka_unit_test(stops_at_every_clock),
+        cmocka_unit_test(stops_in_straight_runs),
         cmocka_unit_test(programs_are_worth_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
