@@ -142,7 +142,7 @@ coverage-run: $(REPLAY_BINS) $(TEST_BINS)
 	@tests/coverage.sh $(O) $(REPLAY_BINS) -- $(TEST_BINS)
 .PHONY: coverage-run
 
-bench: deps-run
+bench: deps-test
 	@$(MAKE) $(JOBS) --no-print-directory all $(BENCH_BINS)
 	@tests/bench.sh $(BENCH_BINS)
 
@@ -165,7 +165,7 @@ headers:
 	    $(CC) $(CFLAGS) -x c -fsyntax-only - || exit 1; done
 
 format:
-	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) $(EMU_PARTS) tests/* roms roms/*) crt/*.inc emu/cpu/*.inc)
+	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) $(EMU_PARTS) tests/* tests/*/* roms roms/*) crt/*.inc emu/cpu/*.inc)
 
 FUZZ_SECONDS ?= 60
 fuzz:
