@@ -151,6 +151,8 @@ pictures: all
 	@mkdir -p roms/pictures
 	./kinescope capture roms/lander.df --at 0.7s --size 640x640 -o roms/pictures/lander.png
 	./kinescope capture roms/radar.df --at 11s --size 640x640 -o roms/pictures/radar.png
+	./kinescope capture roms/clock.elf --at 0.7s --size 640x640 -o roms/pictures/clock.png
+	./kinescope capture roms/village.df --at 0.7s --size 640x640 -o roms/pictures/village.png
 
 golden: all
 	@tests/golden.sh --regenerate ./kinescope
