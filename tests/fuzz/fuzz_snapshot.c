@@ -95,6 +95,8 @@ static struct crt_state state_of(struct vm_rig *rig)
     struct crt_state s;
     crt_state_save(&s);
     vm_rig_state(rig, &s);
+    if (s.failed)
+        fprintf(stderr, "%s\n", s.err.text);
     REQUIRE(!s.failed);
     return s;
 }
