@@ -34,10 +34,10 @@ static bool clip(const struct rv_cpu *cpu, uint32_t low, uint32_t high, uint32_t
     return true;
 }
 
-static bool read_only(const struct rv_cpu *cpu, uint32_t address)
+static bool read_only(const struct rv_cpu *cpu, uint32_t address, unsigned width)
 {
     for (int i = 0; i < cpu->rom_count; i++)
-        if (address >= cpu->rom[i].low && address < cpu->rom[i].high)
+        if (address + (width - 1) >= cpu->rom[i].low && address < cpu->rom[i].high)
             return true;
     return false;
 }
@@ -154,9 +154,11 @@ bool rv_load(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t *val
 bool rv_store(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t value)
 {
     uint32_t offset = address - cpu->desc.memory_base;
+    if (width < 4)
+        value &= (1u << 8 * width) - 1;
     if (offset >= cpu->desc.memory_size)
         return cpu->desc.bus.store(cpu->desc.bus.ctx, address, width, value);
-    if (read_only(cpu, address))
+    if (read_only(cpu, address, width))
         return false;
     rv_bytes_put(cpu->desc.memory + offset, width, value);
     if (cpu->decoded[offset / PAGE])
