@@ -74,10 +74,11 @@ static void run(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb 
 /* ---- the outcome --------------------------------------------------------------------------------
  */
 
-static void say_speed(const struct vm_rig *rig, const struct vm_input *input, double took)
+static void say_speed(const struct vm_rig *rig, const struct vm_input *input, uint64_t from,
+                      double took)
 {
     const struct vm_machine *m = rig->machine;
-    double simulated = (double)m->now / (double)CRT_PS_PER_S;
+    double simulated = (double)(m->now - from) / (double)CRT_PS_PER_S;
     fprintf(
         stderr,
         "%s: %.6g simulated seconds in %.3g s, %.0f simulated seconds a second; %llu words, %llu "
@@ -129,38 +130,66 @@ static int outcome(const struct vm_rig *rig, const struct vm_input *input, bool 
     return vm_find_trouble(rig->machine, input, err) ? VM_EXIT_TROUBLE : VM_EXIT_OK;
 }
 
+/* ---- all of it ----------------------------------------------------------------------------------
+ */
+
+static int check(const struct vm_headless *h, const struct vm_input *input, struct crt_error *err)
+{
+    if (input->has_firmware || (!h->console && !h->gdb))
+        return VM_EXIT_OK;
+    crt_fail(err, "%s: %s has no firmware", h->console ? "--console" : "--gdb", input->name);
+    return VM_EXIT_USAGE;
+}
+
+static bool open_rig(const struct vm_headless *h, const struct vm_settings *settings,
+                     const struct vm_input *input, struct vm_rig *rig, struct crt_error *err)
+{
+    struct crt_tube_desc tube = vm_settings_tube(settings);
+    if (!vm_rig_open(rig, settings, input, DF_TIMING_VALUE, h->saved.save ? &tube : NULL, err))
+        return false;
+    if (vm_saved_load(&h->saved, rig, settings, input, err))
+        return true;
+    vm_rig_close(rig);
+    return false;
+}
+
+/* Runs an open rig to its end. False: a sentence, and nothing has run. */
+static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct vm_input *input,
+                 uint64_t limit, bool *left, struct crt_error *err)
+{
+    struct vm_terminal terminal = {0};
+    if (h->console && !vm_terminal_open(&terminal, err))
+        return false;
+    if (h->console)
+        rig->console->desc = vm_terminal_console(&terminal);
+    double begin = seconds();
+    uint64_t from = rig->machine->now;
+    run(rig, h->console ? &terminal : NULL, h->gdb, limit);
+    vm_terminal_close(&terminal);
+    if (!h->console && !h->gdb)
+        say_speed(rig, input, from, seconds() - begin);
+    *left = terminal.left || (h->gdb && vm_gdb_killed(h->gdb));
+    return true;
+}
+
 int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,
                 const struct vm_input *input, struct crt_error *err)
 {
     struct vm_rig rig;
-    struct vm_terminal terminal;
-    uint64_t limit = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
-    if (h->length.given && !vm_time_ps(&h->length, settings->tick, &limit, err))
+    bool left = false;
+    uint64_t length = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
+    int status = check(h, input, err);
+    if (status)
+        return status;
+    if (h->length.given && !vm_time_ps(&h->length, settings->tick, &length, err))
         return VM_EXIT_USAGE;
-    if (h->console && !input->has_firmware) {
-        crt_fail(err, "--console: %s has no firmware that would use it", input->name);
-        return VM_EXIT_USAGE;
-    }
-    if (h->gdb && !input->has_firmware) {
-        crt_fail(err, "--gdb: %s has no firmware to debug", input->name);
-        return VM_EXIT_USAGE;
-    }
-    if (!vm_rig_open(&rig, settings, input, DF_TIMING_VALUE, NULL, err))
+    if (!open_rig(h, settings, input, &rig, err))
         return VM_EXIT_TROUBLE;
-    if (h->console && !vm_terminal_open(&terminal, err)) {
-        vm_rig_close(&rig);
-        return VM_EXIT_TROUBLE;
-    }
-    if (h->console)
-        rig.console->desc = vm_terminal_console(&terminal);
-    double begin = seconds();
-    run(&rig, h->console ? &terminal : NULL, h->gdb, limit);
-    if (h->console)
-        vm_terminal_close(&terminal);
-    else if (!h->gdb)
-        say_speed(&rig, input, seconds() - begin);
-    bool left = (h->console && terminal.left) || (h->gdb && vm_gdb_killed(h->gdb));
-    int status = outcome(&rig, input, left, err);
+    if (!play(h, &rig, input, rig.machine->now + length, &left, err) ||
+        !vm_saved_save(&h->saved, &rig, settings, input, err))
+        status = VM_EXIT_TROUBLE;
+    else
+        status = outcome(&rig, input, left, err);
     vm_rig_close(&rig);
     return status;
 }
