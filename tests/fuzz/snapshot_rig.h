@@ -139,6 +139,7 @@ static struct vm_rig light, dark;
 static struct crt_state fresh; /* a snapshot of power-on, with light */
 static size_t parts;           /* where the parts behind CONF begin in it */
 static struct crt_state begun; /* the same without what is around the parts */
+static struct crt_state dark_begun;
 
 static uint64_t pen(void *ctx, const struct crt_stroke *s)
 {
@@ -207,6 +208,7 @@ static void set_up(bool with_firmware)
         ;
     parts--; /* the flag that says that there is light */
     begun = state_of(&light);
+    dark_begun = state_of(&dark);
     REQUIRE(begun.size == fresh.size - parts - VM_SNAPSHOT_SUM);
     REQUIRE(memcmp(begun.out, fresh.out + parts, begun.size) == 0);
 }
@@ -307,6 +309,7 @@ static void go_on(const uint8_t *file, size_t size)
     REQUIRE(vm_snapshot_read(file, size, "fuzz", &dark, &settings, &input, &err));
     put_program_back(dark.machine);
     run_to(dark.machine, dark.machine->now + MS);
+    load_state(&dark, &dark_begun);
 }
 
 static void fuzz_snapshot(const uint8_t *data, size_t length, bool with_firmware)
