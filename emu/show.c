@@ -187,6 +187,7 @@ static void loop(struct vm_show *show)
         double now = vm_window_time();
         look_after_program(show, now);
         run_frame(show, now);
+        vm_show_note(show);
         vm_show_status(show, now);
         draw(show, now);
     }
@@ -251,6 +252,7 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
         show->desc = desc;
         show->scale = desc->scale;
         show->rom = -1;
+        show->unit = VM_UNIT_REFRESH;
         show->touring = desc->path == NULL;
         ok = show->touring ? vm_roms_find(&show->roms, desc->roms, err) : check_program(desc, err);
     }

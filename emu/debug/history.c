@@ -265,3 +265,13 @@ bool vm_history_rewind(struct vm_history *h, uint64_t cycle)
         i--;
     return i > 0 && recall(h, i - 1, &err);
 }
+
+bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err)
+{
+    if (h->count == 0)
+        return nothing(err);
+    size_t i = h->count - 1;
+    while (i > 0 && h->at[i].place.now > t && !h->at[i].marked)
+        i--;
+    return recall(h, i, err);
+}

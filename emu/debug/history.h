@@ -57,6 +57,11 @@ bool vm_history_back(struct vm_history *h, enum vm_unit unit, uint64_t n, struct
  * (emu/debug/gdb_target.h). */
 bool vm_history_rewind(struct vm_history *h, uint64_t cycle);
 
+/* Restores the last snapshot at or before `t` ps, but none from before the last mark; the first of all
+ * when there is none. False and a sentence: nothing is remembered. For who runs on from there
+ * himself. */
+bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err);
+
 /* How much is remembered. */
 struct vm_history_extent {
     size_t snapshots, bytes;
