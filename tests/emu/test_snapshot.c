@@ -381,7 +381,7 @@ static const char *out_path(const char *name)
     static int turn;
     const char *folder = getenv("TEST_OUT");
     turn = !turn;
-    snprintf(path[turn], sizeof path[turn], "%s/%s", folder ? folder : "/tmp", name);
+    snprintf(path[turn], sizeof path[turn], "%s/%s", folder ? folder : ".", name);
     return path[turn];
 }
 
