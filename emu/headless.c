@@ -27,47 +27,54 @@ static double seconds(void)
 /* ---- running ------------------------------------------------------------------------------------
  */
 
+/* Who has a say in a run. */
+struct run {
+    struct vm_rig *rig;
+    struct vm_terminal *terminal; /* NULL: no --console */
+    struct vm_gdb *gdb;           /* NULL: no debugger */
+    struct vm_history *history;   /* for the debugger */
+};
+
 /* To the end of the firmware or `until`; true when it has ended. A debugger may hold the machine. */
-static bool run_end(struct vm_rig *rig, struct vm_gdb *gdb, uint64_t until)
+static bool run_end(const struct run *r, uint64_t until)
 {
-    if (!gdb)
-        return vm_machine_run_end(rig->machine, until);
-    struct vm_gdb_target target = vm_gdb_machine(rig->machine);
-    return vm_gdb_run(gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
+    if (!r->gdb)
+        return vm_machine_run_end(r->rig->machine, until);
+    struct vm_gdb_machine machine = {r->rig->machine, r->history};
+    struct vm_gdb_target target = vm_gdb_machine(&machine);
+    return vm_gdb_run(r->gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
 }
 
 /* In real time, until the firmware ends, the limit, or who types leaves. */
-static void run_live(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb *gdb,
-                     uint64_t limit)
+static void run_live(const struct run *r, uint64_t limit)
 {
-    struct vm_machine *m = rig->machine;
+    struct vm_machine *m = r->rig->machine;
     double last = seconds();
-    while (m->now < limit && !terminal->left) {
+    while (m->now < limit && !r->terminal->left) {
         double now = seconds(), elapsed = now - last;
         last = now;
         uint64_t ps = (uint64_t)((elapsed < LONGEST_S ? elapsed : LONGEST_S) * 1e12);
-        if (run_end(rig, gdb, limit - m->now < ps ? limit : m->now + ps))
+        if (run_end(r, limit - m->now < ps ? limit : m->now + ps))
             return;
-        vm_terminal_poll(terminal, rig->console, m->now, KEYS_S);
+        vm_terminal_poll(r->terminal, r->rig->console, m->now, KEYS_S);
     }
 }
 
-static void run(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb *gdb,
-                uint64_t limit)
+static void run(const struct run *r, uint64_t limit)
 {
     struct vm_progress progress;
-    if (terminal && terminal->live) {
-        run_live(rig, terminal, gdb, limit);
+    if (r->terminal && r->terminal->live) {
+        run_live(r, limit);
         return;
     }
-    if (gdb) {
-        while (rig->machine->now < limit && !run_end(rig, gdb, limit))
+    if (r->gdb) {
+        while (r->rig->machine->now < limit && !run_end(r, limit))
             ;
         return;
     }
     vm_progress_begin(&progress);
-    progress.shown &= !terminal;
-    vm_progress_run_end(&progress, rig->machine, limit);
+    progress.shown &= !r->terminal;
+    vm_progress_run_end(&progress, r->rig->machine, limit);
     vm_progress_end(&progress);
 }
 
@@ -129,38 +136,68 @@ static int outcome(const struct vm_rig *rig, const struct vm_input *input, bool 
     return vm_find_trouble(rig->machine, input, err) ? VM_EXIT_TROUBLE : VM_EXIT_OK;
 }
 
+/* ---- all together -------------------------------------------------------------------------------
+ */
+
+static bool check(const struct vm_headless *h, const struct vm_settings *settings,
+                  const struct vm_input *input, uint64_t *limit, struct crt_error *err)
+{
+    *limit = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
+    if (h->length.given && !vm_time_ps(&h->length, settings->tick, limit, err))
+        return false;
+    if (h->console && !input->has_firmware)
+        return crt_fail(err, "--console: %s has no firmware that would use it", input->name);
+    if (h->gdb && !input->has_firmware)
+        return crt_fail(err, "--gdb: %s has no firmware to debug", input->name);
+    return true;
+}
+
+/* The terminal, and the debugger's way back. */
+static bool join(struct run *r, const struct vm_headless *h, struct vm_terminal *terminal,
+                 struct crt_error *err)
+{
+    if (h->console) {
+        if (!vm_terminal_open(terminal, err))
+            return false;
+        r->terminal = terminal;
+        r->rig->console->desc = vm_terminal_console(terminal);
+    }
+    r->gdb = h->gdb;
+    if (r->gdb)
+        r->history = vm_history_create(&(struct vm_history_desc){.rig = r->rig}, err);
+    return !r->gdb || r->history;
+}
+
+static void part(struct run *r)
+{
+    if (r->terminal)
+        vm_terminal_close(r->terminal);
+    vm_history_destroy(r->history);
+}
+
 int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,
                 const struct vm_input *input, struct crt_error *err)
 {
     struct vm_rig rig;
     struct vm_terminal terminal;
-    uint64_t limit = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
-    if (h->length.given && !vm_time_ps(&h->length, settings->tick, &limit, err))
+    struct run r = {.rig = &rig};
+    uint64_t limit;
+    int status = VM_EXIT_TROUBLE;
+    if (!check(h, settings, input, &limit, err))
         return VM_EXIT_USAGE;
-    if (h->console && !input->has_firmware) {
-        crt_fail(err, "--console: %s has no firmware that would use it", input->name);
-        return VM_EXIT_USAGE;
-    }
-    if (h->gdb && !input->has_firmware) {
-        crt_fail(err, "--gdb: %s has no firmware to debug", input->name);
-        return VM_EXIT_USAGE;
-    }
     if (!vm_rig_open(&rig, settings, input, DF_TIMING_VALUE, NULL, err))
         return VM_EXIT_TROUBLE;
-    if (h->console && !vm_terminal_open(&terminal, err)) {
-        vm_rig_close(&rig);
-        return VM_EXIT_TROUBLE;
-    }
-    if (h->console)
-        rig.console->desc = vm_terminal_console(&terminal);
+    bool ok = join(&r, h, &terminal, err);
     double begin = seconds();
-    run(&rig, h->console ? &terminal : NULL, h->gdb, limit);
-    if (h->console)
-        vm_terminal_close(&terminal);
-    else if (!h->gdb)
-        say_speed(&rig, input, seconds() - begin);
-    bool left = (h->console && terminal.left) || (h->gdb && vm_gdb_killed(h->gdb));
-    int status = outcome(&rig, input, left, err);
+    if (ok)
+        run(&r, limit);
+    part(&r);
+    if (ok) {
+        if (!h->console && !h->gdb)
+            say_speed(&rig, input, seconds() - begin);
+        bool left = (h->console && terminal.left) || (h->gdb && vm_gdb_killed(h->gdb));
+        status = outcome(&rig, input, left, err);
+    }
     vm_rig_close(&rig);
     return status;
 }

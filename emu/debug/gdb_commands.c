@@ -62,6 +62,7 @@ static void write_bytes(struct vm_gdb_session *s, uint32_t address, const uint8_
                         uint32_t length)
 {
     size_t size = s->target.write(s->target.ctx, address, bytes, length);
+    s->changed |= size > 0;
     vm_gdb_ok(s, size == length, VM_GDB_NO_MEMORY);
 }
 

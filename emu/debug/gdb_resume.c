@@ -146,8 +146,14 @@ void vm_gdb_session_run(struct vm_gdb_session *s, uint64_t until)
     if (until > now && until - now > t->slice)
         until = now + t->slice;
     bool stopped = s->interrupted && stop(&s->run, VM_GDB_BY_SIGNAL, VM_GDB_SIGINT);
-    if (!stopped)
-        stopped = vm_gdb_goes_back(s) ? vm_gdb_go_back(s) : go_on(s, until);
+    if (!stopped && vm_gdb_goes_back(s)) {
+        vm_gdb_go_back(s);
+        stopped = true;
+    } else if (!stopped) {
+        stopped = go_on(s, until);
+        if (t->remember)
+            t->remember(t->ctx);
+    }
     if (!stopped)
         return;
     s->state = VM_GDB_STOPPED;
@@ -236,9 +242,12 @@ void vm_gdb_tell_stop(struct vm_gdb_session *s)
 
 static void begin(struct vm_gdb_session *s, enum vm_gdb_how how)
 {
-    s->run = (struct vm_gdb_run){.how = how, .first = true, .goal = s->target.cpu->cycle};
+    s->run = (struct vm_gdb_run){.how = how, .first = true};
     s->interrupted = false;
     s->state = VM_GDB_RUNNING;
+    if (s->changed && s->target.changed)
+        s->target.changed(s->target.ctx);
+    s->changed = false;
 }
 
 /* c, C, s, S: signals mean nothing to a program without an operating system. */
@@ -306,7 +315,7 @@ void vm_gdb_vcont(struct vm_gdb_session *s, struct vm_gdb_fields *f)
 void vm_gdb_back(struct vm_gdb_session *s, struct vm_gdb_fields *f)
 {
     bool step = vm_gdb_take(f, 's');
-    if (!s->target.rewind || (!step && !vm_gdb_take(f, 'c')) || vm_gdb_left(f) > 0)
+    if (!s->target.back || (!step && !vm_gdb_take(f, 'c')) || vm_gdb_left(f) > 0)
         vm_gdb_say(s, "");
     else
         begin(s, step ? VM_GDB_STEP_BACK : VM_GDB_BACK);

@@ -60,7 +60,6 @@ struct vm_gdb_run {
     bool reaching;      /* the instruction about to be executed reaches a watched byte … */
     bool reached;       /* … and one has. `stop` says which */
     struct vm_gdb_stop stop;
-    uint64_t goal; /* BACK, STEP_BACK: stop at an instruction begun before this clock */
 };
 
 #define VM_GDB_OUTPUT_MAX (2 * VM_GDB_PACKET_MAX)
@@ -72,6 +71,7 @@ struct vm_gdb_session {
     bool says_soft, says_hard; /* the client knows these reasons to stop */
     bool step_into;            /* interrupt handlers */
     bool interrupted;          /* the client asked for a stop */
+    bool changed;              /* registers or memory, by the client, since it last ran */
     struct vm_gdb_stop stop;   /* the last one */
     struct vm_gdb_run run;
     struct vm_gdb_points points;
@@ -79,6 +79,9 @@ struct vm_gdb_session {
     struct vm_gdb_packet reply; /* the last packet sent, for when the client missed it */
     size_t output_size;
     uint8_t output[VM_GDB_OUTPUT_MAX];
+    void (*look)(
+        void *ctx); /* feeds what the client has sent: called in work that takes long; or NULL */
+    void *look_ctx;
 };
 
 /* A client has come: the machine is stopped, by SIGTRAP. */

@@ -334,20 +334,59 @@ static void back_to_accesses(void **state)
     assert_reply(a, "bcx", "");
 }
 
-/* From the end of the program, too, and ^C on the way back. */
 static void back_from_the_end(void **state)
 {
     struct asker *a = *state;
     assert_reply(a, "c", "W03");
     assert_stop(a, "bs", "T05", 0x2c);
-    ask_bytes(a, "bc", 2);
-    ask_run(a, 1);
-    assert_int_equal(a->packets, 0);
-    ask_raw(a, "\x03", 1);
-    ask_run(a, 1);
-    assert_memory_equal(a->said, "T0202:", 6);
-    assert_true(a->bare.cpu.cycle > 0 && a->bare.cpu.cycle < 27);
     assert_reply(a, "c", "W03");
+}
+
+/* ^C arrives when going back has looked at the client this often. */
+struct pressing {
+    struct vm_gdb_session *session;
+    int looks;
+};
+
+static void press(void *ctx)
+{
+    struct pressing *p = ctx;
+    if (--p->looks == 0)
+        vm_gdb_session_feed(p->session, (const uint8_t *)"\x03", 1);
+}
+
+/* Snapshots are at 0, 7, 14 and 21; each of the stretches between them is one search, and one look. */
+static void back_interrupted(void **state)
+{
+    struct asker *a = *state;
+    assert_reply(a, "c", "W03");
+    assert_int_equal(a->bare.cpu.cycle, 28);
+    for (int looks = 2; looks <= 4; looks++) {
+        struct pressing pressing = {&a->bare.session, looks};
+        a->bare.session.look = press;
+        a->bare.session.look_ctx = &pressing;
+        assert_memory_equal(ask(a, "bc"), "T0202:", 6);
+        assert_int_equal(a->bare.cpu.cycle, looks == 2 ? 14 : looks == 3 ? 7 : 0);
+        a->bare.session.look = NULL;
+        assert_reply(a, "c", "W03");
+    }
+}
+
+/* What the client changed is told of once, and only when time passes. */
+static void changes(void **state)
+{
+    struct asker *a = *state;
+    assert_stop(a, "s", "T05", 4);
+    assert_int_equal(a->bare.changes, 0);
+    assert_reply(a, "Pb=01000000", "OK");
+    assert_reply(a, "M80001000,1:01", "OK");
+    assert_reply(a, "m80001000,1", "01");
+    assert_int_equal(a->bare.changes, 0);
+    assert_stop(a, "s", "T05", 8);
+    assert_stop(a, "s", "T05", 0xc);
+    assert_int_equal(a->bare.changes, 1);
+    assert_stop(a, "s80000014", "T05", 0x18);
+    assert_int_equal(a->bare.changes, 2);
 }
 
 #define LOOP(name)  cmocka_unit_test_setup_teardown(name, begin_loop, end)
@@ -374,6 +413,8 @@ int main(void)
         KEPT(back_to_breakpoints),
         KEPT(back_to_accesses),
         KEPT(back_from_the_end),
+        KEPT(back_interrupted),
+        KEPT(changes),
     };
     return cmocka_run_group_tests_name("gdb_run", tests, NULL, NULL);
 }
