@@ -12,6 +12,7 @@
 #include "emu/out_file.h"
 #include "emu/picture.h"
 #include "emu/progress.h"
+#include "emu/saved.h"
 #include "emu/trouble.h"
 
 struct options {
@@ -21,6 +22,7 @@ struct options {
     struct vm_size size;
     bool film, glass, hash, allow_dark;
     struct vm_moment_options moment;
+    struct vm_saved_options saved;
     struct vm_settings_options settings;
     struct vm_light_options light;
     struct vm_input_options input;
@@ -66,6 +68,7 @@ struct capture {
     struct vm_y4m y4m;
     struct vm_progress progress;
     bool sequence, strip;
+    uint64_t loaded; /* when the machine of --load-state was saved; else 0 */
 };
 
 static int fail(int status, const struct crt_error *err)
@@ -177,6 +180,16 @@ static int plan_exposure(struct capture *c, struct crt_error *err)
             return VM_EXIT_USAGE;
         }
     }
+    if (c->loaded && c->shots.from < c->loaded + c->shots.exposure) {
+        char loaded[32], moment[32];
+        vm_format_time(c->loaded, loaded, sizeof loaded);
+        vm_format_time(c->shots.from, moment, sizeof moment);
+        crt_fail(err,
+                 "the machine of --load-state is as of %s; a picture at %s would gather light from "
+                 "before that: choose a later moment, or a shorter --exposure",
+                 loaded, moment);
+        return VM_EXIT_USAGE;
+    }
     if (vm_shots_overlap(&c->shots) > VM_OVERLAP_MAX) {
         crt_fail(err, "the exposure overlaps more than %d pictures; shorten it or lower --fps",
                  VM_OVERLAP_MAX);
@@ -212,6 +225,11 @@ static int plan(struct capture *c, struct crt_error *err)
         return VM_EXIT_USAGE;
     if (!vm_rig_open(&rig, &c->settings, &c->input, DF_TIMING_VALUE, NULL, err))
         return VM_EXIT_TROUBLE;
+    if (!vm_saved_load(&c->o.saved, &rig, &c->settings, &c->input, err)) {
+        vm_rig_close(&rig);
+        return VM_EXIT_TROUBLE;
+    }
+    c->loaded = rig.machine->now;
     if (c->sequence) {
         vm_progress_begin(&c->progress);
         vm_progress_run(&c->progress, rig.machine,
@@ -300,8 +318,10 @@ static bool expose(struct capture *c, struct crt_error *err)
     struct vm_rig rig;
     if (!vm_rig_open(&rig, &c->settings, &c->input, DF_TIMING_VALUE, &c->tube, err))
         return false;
-    bool ok =
-        vm_expose(&rig, &c->shots, &c->progress, take, c, err) && crt_tube_intact(rig.tube, err);
+    bool ok = vm_saved_load(&c->o.saved, &rig, &c->settings, &c->input, err) &&
+              vm_expose(&rig, &c->shots, &c->progress, take, c, err) &&
+              crt_tube_intact(rig.tube, err) &&
+              vm_saved_save(&c->o.saved, &rig, &c->settings, &c->input, err);
     vm_rig_close(&rig);
     return ok;
 }
@@ -369,7 +389,8 @@ static int run(int argc, char **argv)
                                              VM_OPTION_TABLE(vm_moment_rows, &c.o.moment),
                                              VM_OPTION_TABLE(vm_light_rows, &c.o.light),
                                              VM_OPTION_TABLE(vm_settings_rows, &c.o.settings),
-                                             VM_OPTION_TABLE(vm_input_rows, &c.o.input)};
+                                             VM_OPTION_TABLE(vm_input_rows, &c.o.input),
+                                             VM_OPTION_TABLE(vm_saved_rows, &c.o.saved)};
     struct vm_args args;
     struct crt_error err;
     char *report;

@@ -8,6 +8,7 @@
 #include "emu/moment.h"
 #include "emu/out_file.h"
 #include "emu/progress.h"
+#include "emu/saved.h"
 #include "emu/summary.h"
 #include "emu/trace_lines.h"
 #include "emu/trouble.h"
@@ -16,6 +17,7 @@ struct options {
     const char *what, *out;
     struct vm_time from, length;
     bool summary;
+    struct vm_saved_options saved;
     struct vm_settings_options settings;
     struct vm_input_options input;
 };
@@ -90,26 +92,49 @@ static int default_end(struct trace *t, struct vm_rig *rig, uint64_t from, uint6
     return VM_EXIT_OK;
 }
 
-static int find_end(struct trace *t, uint64_t *from, uint64_t *end, struct crt_error *err)
+/* A rig as --load-state has it; lit only for --save-state. */
+static bool open_rig(struct trace *t, bool lit, struct vm_rig *rig, struct crt_error *err)
 {
-    struct vm_rig rig;
+    struct crt_tube_desc tube = vm_settings_tube(&t->settings);
+    if (!vm_rig_open(rig, &t->settings, &t->input, DF_TIMING_VALUE, lit ? &tube : NULL, err))
+        return false;
+    if (vm_saved_load(&t->o.saved, rig, &t->settings, &t->input, err))
+        return true;
+    vm_rig_close(rig);
+    return false;
+}
+
+static int find_times(struct trace *t, struct vm_rig *rig, uint64_t *from, uint64_t *end,
+                      struct crt_error *err)
+{
     uint64_t length;
-    *from = 0;
-    if (t->o.from.given && !vm_time_ps(&t->o.from, t->settings.tick, from, err))
-        return VM_EXIT_USAGE;
-    if (t->o.length.given) {
-        if (!vm_time_ps(&t->o.length, t->settings.tick, &length, err))
+    *from = rig->machine->now;
+    if (t->o.from.given) {
+        if (!vm_time_ps(&t->o.from, t->settings.tick, from, err))
             return VM_EXIT_USAGE;
-        if (length == 0) {
-            crt_fail(err, "--for: nothing happens in no time; give a time above zero");
+        if (*from < rig->machine->now) {
+            crt_fail(err, "--from is before the machine of --load-state");
             return VM_EXIT_USAGE;
         }
-        *end = *from + length;
-        return VM_EXIT_OK;
     }
-    if (!vm_rig_open(&rig, &t->settings, &t->input, DF_TIMING_VALUE, NULL, err))
+    if (!t->o.length.given)
+        return default_end(t, rig, *from, end, err);
+    if (!vm_time_ps(&t->o.length, t->settings.tick, &length, err))
+        return VM_EXIT_USAGE;
+    *end = *from + length;
+    if (length > 0)
+        return VM_EXIT_OK;
+    crt_fail(err, "--for: nothing happens in no time; give a time above zero");
+    return VM_EXIT_USAGE;
+}
+
+/* From when to when, found on a rig of its own. */
+static int plan(struct trace *t, uint64_t *from, uint64_t *end, struct crt_error *err)
+{
+    struct vm_rig rig;
+    if (!open_rig(t, false, &rig, err))
         return VM_EXIT_TROUBLE;
-    int status = default_end(t, &rig, *from, end, err);
+    int status = find_times(t, &rig, from, end, err);
     vm_rig_close(&rig);
     return status;
 }
@@ -143,10 +168,10 @@ static int print_events(struct trace *t, struct crt_error *err)
     struct vm_trace_lines lines;
     struct vm_rig rig;
     uint64_t from, end = 0;
-    int status = find_end(t, &from, &end, err);
+    int status = plan(t, &from, &end, err);
     if (status)
         return status;
-    if (!vm_rig_open(&rig, &t->settings, &t->input, DF_TIMING_VALUE, NULL, err))
+    if (!open_rig(t, t->o.saved.save != NULL, &rig, err))
         return VM_EXIT_TROUBLE;
     if (what_of(t) == VM_TRACE_BEAM)
         print_header(t, end);
@@ -156,7 +181,8 @@ static int print_events(struct trace *t, struct crt_error *err)
     vm_progress_run(&progress, rig.machine, from);
     vm_progress_trace(&progress, rig.machine, end, &lines.hooks);
     vm_progress_end(&progress);
-    status = judge(t, &rig, err);
+    status = vm_saved_save(&t->o.saved, &rig, &t->settings, &t->input, err) ? judge(t, &rig, err)
+                                                                            : VM_EXIT_TROUBLE;
     vm_rig_close(&rig);
     return status;
 }
@@ -186,13 +212,14 @@ static int trace(struct trace *t)
 static int run(int argc, char **argv)
 {
     struct trace t = {0};
-    const struct vm_option_table tables[] = {VM_OPTION_TABLE(rows, &t.o),
-                                             VM_OPTION_TABLE(vm_settings_rows, &t.o.settings),
-                                             VM_OPTION_TABLE(vm_input_rows, &t.o.input)};
+    const struct vm_option_table tables[] = {
+        VM_OPTION_TABLE(rows, &t.o), VM_OPTION_TABLE(vm_settings_rows, &t.o.settings),
+        VM_OPTION_TABLE(vm_input_rows, &t.o.input), VM_OPTION_TABLE(vm_saved_rows, &t.o.saved)};
     struct vm_args args;
     struct crt_error err;
     char *report;
-    int status = vm_command_parse(&vm_command_trace, tables, 3, argc, argv, &args, 1, 1);
+    int status = vm_command_parse(&vm_command_trace, tables, sizeof tables / sizeof *tables, argc,
+                                  argv, &args, 1, 1);
     if (status >= 0)
         return status;
     if (!vm_out_spares(t.o.out, args.item[0], &err))

@@ -125,8 +125,6 @@ static struct vm_board *copy_board(struct vm_board *board)
     struct vm_board *copy = vm_board_create(board->clock, NULL, &err);
     if (!copy)
         return NULL;
-    for (int i = 0; i < board->cpu.rom_count; i++)
-        rv_protect(&copy->cpu, board->cpu.rom[i].low, board->cpu.rom[i].high);
     crt_state_save(&state);
     vm_board_state(board, &state);
     bool ok = !state.failed;

@@ -3,8 +3,9 @@
  * Models:     names only: what they do is in rv_ops.inc. The decoder's numbers, the loops' labels
  *             and their tables are made from these lists.
  * Source:     The RISC-V Instruction Set Manual I, chapters 2, 7, 11. Which pairs are worth a
- *             handler: counted in firmware that draws lines, fills shaded polygons, prints, sorts,
- *             multiplies matrices and walks lists; each is at least 0.5 % of the instructions of one.
+ *             handler was counted: firmware that draws lines, fills shaded polygons, prints, sorts,
+ *             multiplies matrices and walks lists begins 0.57 handlers an instruction with these,
+ *             and would begin 0.55 with every pair that there is.
  */
 #ifndef EMU_CPU_RV_OP_LIST_H
 #define EMU_CPU_RV_OP_LIST_H
@@ -32,39 +33,36 @@
 /* Pairs that follow each other so often that they have a handler together: X(first, second). By what
  * the first one is, and what the handler needs. */
 #define RV_INTEGER_PAIRS(X)                                                                        \
-    X(ADDI, ADDI) X(ADDI, ADD) X(ADDI, AND) X(ADDI, XOR) X(ADDI, SLLI) X(ADDI, BEQ) X(ADDI, BNE)   \
-    X(ADDI, SW) X(ADDI, J) X(ADDI, JR) X(ADDI, JALR)                                               \
-    X(LI, ADDI) X(LI, ADD) X(LI, LI) X(LI, BEQ) X(LI, BNE) X(LI, JR)                               \
-    X(SLLI, ADDI) X(SLLI, ADD) X(SLLI, SUB) X(SLLI, XOR) X(SLLI, LI) X(SLLI, SRLI) X(SLLI, BEQ)    \
-    X(SLLI, BNE) X(SRLI, ADDI) X(SRLI, AND) X(SRLI, ANDI) X(SRLI, XOR)                             \
-    X(ANDI, ADD) X(ANDI, SUB) X(ANDI, SLLI)                                                        \
-    X(ADD, ADD) X(ADD, ADDI) X(ADD, ANDI) X(ADD, OR) X(ADD, SLLI) X(ADD, BLT) X(ADD, BNE)          \
-    X(ADD, LBU) X(ADD, LW) X(ADD, SB) X(ADD, J) X(SUB, ADDI) X(SUB, AND) X(SUB, SRLI)              \
-    X(AND, ADDI) X(AND, XOR) X(OR, BNE) X(XOR, BNE) X(XOR, SLLI) X(XOR, SRLI) X(SLT, JR)           \
-    X(BEQ, BLT) X(BEQ, LI) X(BNE, ADD) X(BNE, ADDI) X(BNE, BNE) X(BNE, LI) X(BLT, ADD)             \
-    X(BLT, SLT) X(BLTU, ADDI)                                                                      \
-    X(LW, LW) X(LW, ADD) X(LW, ADDI) X(LW, BLT) X(LW, SB) X(LBU, ADDI) X(LBU, BEQ) X(LBU, SLLI)    \
-    X(SB, ADDI) X(SB, SLLI) X(SW, SW) X(SW, ADDI)
+    X(ADDI, ADDI) X(ADDI, SLLI) X(ADDI, ADD) X(ADDI, XOR) X(ADDI, BEQ) X(ADDI, BNE) X(ADDI, J)     \
+    X(ADDI, JAL) X(ADDI, JR) X(ADDI, JALR) X(ADDI, SW) X(SLLI, ADDI) X(SLLI, SRLI) X(SLLI, LI)     \
+    X(SLLI, ADD) X(SLLI, XOR) X(SLLI, BNE) X(SRLI, ADDI) X(SRLI, ANDI) X(SRLI, AND) X(SRAI, AND)   \
+    X(ANDI, ADD) X(ANDI, SUB) X(ANDI, SB) X(LI, ADDI) X(LI, LI) X(LI, ADD) X(LI, BEQ) X(LI, BNE)   \
+    X(LI, J) X(LI, JR) X(LI, LW) X(ADD, SLLI) X(ADD, ANDI) X(ADD, ADD) X(ADD, OR) X(ADD, MUL)      \
+    X(ADD, BEQ) X(ADD, BNE) X(ADD, BLT) X(ADD, J) X(ADD, LW) X(ADD, LBU) X(ADD, SB) X(SUB, ADDI)   \
+    X(SUB, AND) X(SUB, SW) X(XOR, MUL) X(OR, BNE) X(AND, XOR) X(MUL, ADDI) X(MULHU, ADD)           \
+    X(BEQ, ADDI) X(BEQ, LI) X(BEQ, BLT) X(BNE, ADDI) X(BNE, ADD) X(BNE, BNE) X(BNE, LW)            \
+    X(BLT, ADDI) X(BLT, ADD) X(BLT, SLT) X(BLT, BNE) X(BLTU, ADDI) X(LW, ADDI) X(LW, ADD)          \
+    X(LW, LW) X(LW, SW) X(LBU, ADDI) X(LBU, SLLI) X(SB, ADDI) X(SB, SLLI) X(SB, ADD) X(SB, SW)     \
+    X(SW, ADDI) X(SW, ADD) X(SW, JR) X(SW, LW) X(SW, SW)
 
 #define RV_INTEGER_FREE_PAIRS(X)                                                                   \
-    X(ADD, FLW) X(LI, FLW) X(SB, FSW)
+    X(LI, FLW) X(ADD, FLW) X(SB, FSW)
 
 #define RV_INTEGER_HOST_PAIRS(X)                                                                   \
-    X(ADDI, FMADD) X(ADD, FMADD) X(ADD, FMUL) X(LI, FMUL) X(BEQ, FCVT_S_W) X(BNE, FSUB)
+    X(ADDI, FADD) X(LI, FMUL) X(ADD, FMUL) X(BEQ, FCVT_S_W) X(BNE, FSUB)
 
 #define RV_FREE_PAIRS(X)                                                                           \
-    X(FLT, BEQ) X(FLT, BNE) X(FLE, BNE) X(FLW, ADD) X(FLW, ADDI) X(FLW, FLW) X(FLW, FSW)           \
-    X(FLW, LI) X(FLW, LW) X(FSW, ADDI)
+    X(FLW, LW) X(FLW, FLW) X(FLW, FSW) X(FLW, FMV_W_X) X(FLW, FSGNJ) X(FSW, JR) X(FSW, FSW)        \
+    X(FSGNJ, ADDI) X(FSGNJ, FSGNJ) X(FSGNJ, FLT) X(FLT, BEQ) X(FLT, BNE) X(FLE, BNE)
 
 #define RV_FREE_HOST_PAIRS(X)                                                                      \
-    X(FLW, FMADD) X(FLW, FMUL) X(FSW, FMADD) X(FMV_W_X, FADD)
+    X(FLW, FSUB) X(FLW, FMUL) X(FSW, FMADD) X(FMV_W_X, FADD)
 
 #define RV_HOST_PAIRS(X)                                                                           \
-    X(FADD, FLT) X(FADD, FMADD) X(FADD, FSUB) X(FCVT_S_W, FMV_W_X) X(FCVT_WU_S, ANDI)              \
-    X(FDIV, FMUL) X(FMADD, ADD) X(FMADD, FLW) X(FMADD, FMADD) X(FMSUB, FMUL)                       \
-    X(FMUL, ADD) X(FMUL, FADD) X(FMUL, FCVT_WU_S) X(FMUL, FLT) X(FMUL, FLW) X(FMUL, FMADD)         \
-    X(FMUL, FMSUB) X(FMUL, FMUL) X(FMUL, FNMSUB) X(FNMSUB, FMUL) X(FSQRT, FDIV)                    \
-    X(FSUB, FLT) X(FSUB, FMUL) X(FSUB, FSUB)
+    X(FADD, ADDI) X(FADD, FLW) X(FADD, FADD) X(FADD, FCVT_WU_S) X(FSUB, FLW) X(FSUB, FLT)          \
+    X(FSUB, FSUB) X(FMUL, LI) X(FMUL, FLT) X(FMUL, FMUL) X(FMUL, FMADD) X(FMUL, FMSUB)             \
+    X(FMUL, FNMSUB) X(FDIV, FLW) X(FDIV, FMUL) X(FMADD, ADDI) X(FMADD, ADD) X(FMADD, BNE)          \
+    X(FMADD, FLW) X(FMADD, FSW) X(FMADD, FSQRT) X(FMADD, FMADD) X(FNMSUB, FLT) X(FCVT_W_S, XORI)
 
 #define RV_ALL_OPS(X) RV_INTEGER_OPS(X) RV_FREE_OPS(X) RV_HOST_OPS(X)
 

@@ -37,7 +37,7 @@ static struct place place_of(const struct vm_machine *m)
     return (struct place){.now = m->now,
                           .count = {[VM_UNIT_INSTRUCTION] = 0,
                                     [VM_UNIT_WORD] = m->dpu.words,
-                                    [VM_UNIT_REFRESH] = m->refresh.number}};
+                                    [VM_UNIT_REFRESH] = m->refreshes.last.number}};
 }
 
 static void drop(struct vm_history *h, size_t i)
@@ -192,7 +192,7 @@ static void run_words(struct vm_machine *m, uint64_t words, uint64_t limit)
 
 static void run_refreshes(struct vm_machine *m, uint64_t number, uint64_t limit)
 {
-    while (m->refresh.number < number && vm_machine_run_refresh(m, limit))
+    while (m->refreshes.last.number < number && vm_machine_run_refresh(m, limit))
         ;
 }
 
@@ -225,8 +225,8 @@ static size_t before(const struct vm_history *h, enum vm_unit unit, uint64_t cou
  * first word of what follows. */
 static bool within_refresh(const struct vm_machine *m)
 {
-    uint64_t words = m->dpu.words - m->current.words;
-    return m->in_refresh ? words > 1 : m->now > m->refresh.end;
+    uint64_t words = m->dpu.words - m->refreshes.current.words;
+    return m->refreshes.running ? words > 1 : m->now > m->refreshes.last.end;
 }
 
 bool vm_history_back(struct vm_history *h, enum vm_unit unit, uint64_t n, struct crt_error *err)

@@ -39,10 +39,11 @@ for operation in $(awk '{ print $2 }' "$work/ours" "$work/qemu" | sort -u); do
     grep " $operation " "$work/ours" >"$work/ours.op"
     grep " $operation " "$work/qemu" >"$work/qemu.op"
     if cmp -s "$work/ours.op" "$work/qemu.op"; then
-        report 0 "$operation: $(wc -l <"$work/ours.op") modes"
+        report 0 "$operation: $(wc -l <"$work/ours.op") cases"
     else
-        diff "$work/qemu.op" "$work/ours.op" >"$work/said"
-        explain "$(awk '/^[<>]/ { print $2; exit }' "$work/said")" >>"$work/said"
+        diff "$work/qemu.op" "$work/ours.op" >"$work/difference"
+        first=$(awk '/^[<>]/ { print $2; exit }' "$work/difference")
+        { cat "$work/difference" && explain "$first"; } >"$work/said"
         report 1 "$operation"
     fi
 done

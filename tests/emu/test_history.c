@@ -158,7 +158,7 @@ static void refreshes_of(const char *path)
     struct bench *b = set_up(path, 50 * MS, 0);
     struct vm_machine *m = b->rig.machine;
     run_to(b, CRT_PS_PER_S / 4);
-    uint64_t first = m->refresh.number + 1;
+    uint64_t first = m->refreshes.last.number + 1;
     for (int i = 0; i < REFRESHES; i++) {
         assert_true(vm_machine_run_refresh(m, UINT64_MAX / 4));
         vm_history_note(b->history);
@@ -168,7 +168,7 @@ static void refreshes_of(const char *path)
     back(b, VM_UNIT_REFRESH, 1);
     is_what_was(b, &was[REFRESHES - 2]);
     vm_machine_run(m, m->now + MS / 10);
-    assert_int_equal(m->refresh.number, first + REFRESHES - 2);
+    assert_int_equal(m->refreshes.last.number, first + REFRESHES - 2);
     back(b, VM_UNIT_REFRESH, 1);
     is_what_was(b, &was[REFRESHES - 2]);
     back(b, VM_UNIT_REFRESH, 20);
@@ -177,7 +177,7 @@ static void refreshes_of(const char *path)
         back(b, VM_UNIT_REFRESH, 1);
         is_what_was(b, &was[i - 1]);
     }
-    assert_int_equal(m->refresh.number, first);
+    assert_int_equal(m->refreshes.last.number, first);
     tear_down(b);
 }
 
@@ -308,16 +308,16 @@ static void little_memory_thins(void **state)
         run_to(b, (uint64_t)(i + 1) * CRT_PS_PER_S / 2);
         assert_true(vm_machine_run_refresh(m, UINT64_MAX / 4));
         was[i] = digest_of(b);
-        number[i] = m->refresh.number;
+        number[i] = m->refreshes.last.number;
     }
     struct vm_history_extent extent = vm_history_extent(b->history);
     print_message("# %zu snapshots, %zu bytes of %zu\n", extent.snapshots, extent.bytes, 40 * one);
     assert_true(extent.bytes <= 40 * one && extent.snapshots >= 8);
     assert_int_equal(extent.oldest, 0);
     for (int i = 5; i >= 0; i--) {
-        if (m->refresh.number > number[i])
-            back(b, VM_UNIT_REFRESH, m->refresh.number - number[i]);
-        assert_int_equal(m->refresh.number, number[i]);
+        if (m->refreshes.last.number > number[i])
+            back(b, VM_UNIT_REFRESH, m->refreshes.last.number - number[i]);
+        assert_int_equal(m->refreshes.last.number, number[i]);
         is_what_was(b, &was[i]);
     }
     tear_down(b);

@@ -95,6 +95,8 @@ static struct crt_state state_of(struct vm_rig *rig)
     struct crt_state s;
     crt_state_save(&s);
     vm_rig_state(rig, &s);
+    if (s.failed)
+        fprintf(stderr, "%s\n", s.err.text);
     REQUIRE(!s.failed);
     return s;
 }
@@ -165,9 +167,9 @@ static void load_state(struct vm_rig *rig, const struct crt_state *saved)
 
 static void put_program_back(struct vm_machine *m)
 {
-    bool dark = m->memory[0] == 0 &&
-                memcmp(m->memory, m->memory + 1, sizeof m->memory - sizeof m->memory[0]) == 0;
-    if (dark)
+    bool empty = m->memory[0] == 0 &&
+                 memcmp(m->memory, m->memory + 1, sizeof m->memory - sizeof m->memory[0]) == 0;
+    if (empty)
         memcpy(m->memory, words, sizeof words);
 }
 

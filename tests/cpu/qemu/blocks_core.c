@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "emu/cpu/rv.h"
+#include "emu/cpu/rv_disasm.h"
 #include "emu/cpu/rv_float.h"
 #include "tests/cpu/qemu/blocks.h"
 #include "tests/cpu/qemu/insn_table.h"
@@ -198,12 +199,12 @@ static void print_item(const struct blocks *all, unsigned step)
     block_make(&with, &plan);
     plan.items--;
     block_make(&before, &plan);
-    printf("the item that makes the difference:");
+    printf("the item that makes the difference:\n");
     for (unsigned i = before.body_end; i < with.body_end; i++) {
-        unsigned row = insn_index(with.code[i]);
-        printf(" %08" PRIx32 " (%s)", with.code[i], row < INSN_COUNT ? insn_table[row].name : "?");
+        char text[RV_DISASM_MAX];
+        rv_disasm(plan.code_address + 4 * i, with.code[i], text, sizeof text);
+        printf("  %08" PRIx32 "  %s\n", with.code[i], text);
     }
-    printf("\n");
 }
 
 /* Returns the number of blocks that differ. */

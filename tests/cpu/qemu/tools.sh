@@ -1,7 +1,8 @@
+# shellcheck shell=sh
 # tools.sh — sourced by the tests that compare with qemu-riscv32: compilers, or one skipped test and the end
 # when QEMU is missing, or one of the tools in $needed.
 for tool in qemu-riscv32 ${needed:-}; do
-    if ! command -v $tool >/dev/null 2>&1; then
+    if ! command -v "$tool" >/dev/null 2>&1; then
         echo "ok 1 - comparison with QEMU # SKIP $tool is not installed"
         echo "1..1"
         exit 0
