@@ -44,8 +44,7 @@ static void run_machine(struct vm_show *show, uint64_t until)
     struct vm_machine *m = show->program->rig.machine;
     struct vm_gdb *gdb = show->desc->gdb;
     if (gdb && m->desc.board) {
-        struct vm_gdb_machine machine = {m, NULL};
-        struct vm_gdb_target target = vm_gdb_machine(&machine);
+        struct vm_gdb_target target = vm_gdb_machine(m);
         if (vm_gdb_run(gdb, &target, until, DEBUGGER_MS) != VM_GDB_OVER)
             return;
         show->quit |= vm_gdb_killed(gdb);

@@ -1,76 +1,105 @@
-/* gdb_back.c — going back: the target remembers, this says what to look for.
+/* gdb_back.c — going back: from a moment kept earlier forward again, to just before now.
  *
- * A breakpoint stops where it stands, a watchpoint before the access, as its effect has been undone.
- * A load or store that will trap counts here, which it does not on the way forward: nobody knows yet.
+ *      kept ──── the last place to stop at ──── goal: where the processor was
+ *        │  1. look for it, running to the goal │
+ *        │  2. rewind again, run to it ◀────────┘      none: the same from the moment kept before
  *
- * The target goes through stretches of the past, the latest first: through each once to count the
- * places, and through the one that has some once more, to the last of them. ^C makes it stop at the
- * end of the stretch before the one it was in.
+ * The machine is deterministic, so what is executed again is what was executed. A watchpoint stops
+ * after the access, also where the processor is already: gdb goes back over that by itself, as on the
+ * way forward it steps over it.
  */
 #include "emu/debug/gdb_parts.h"
 
+#define CLOSE 64 /* clocks: where most instructions before the goal are */
+
 struct search {
     struct vm_gdb_session *s;
-    uint64_t last;  /* where the call before ended */
-    bool any;       /* places were found */
-    bool giving_up; /* in this stretch: every place will do */
-    bool here;      /* where the processor is counts */
+    bool any; /* instruction will do */
+    bool found, reaching;
+    uint64_t cycle; /* where what was found stops */
+    struct vm_gdb_stop stop, access;
 };
 
-static bool look(void *ctx, struct rv_cpu *cpu)
+static void find(struct search *search, uint64_t cycle, const struct vm_gdb_stop *stop)
+{
+    search->found = true;
+    search->cycle = cycle;
+    search->stop = *stop;
+}
+
+static bool look_before(void *ctx, struct rv_cpu *cpu)
 {
     struct search *search = ctx;
-    struct vm_gdb_session *s = search->s;
-    struct vm_gdb_stop *stop = &s->run.stop;
-    const struct vm_gdb_break *b = vm_gdb_break_at(&s->points, cpu->pc);
-    bool here = search->here;
-    search->here = true;
-    if (!here)
+    const struct vm_gdb_points *points = &search->s->points;
+    struct vm_gdb_stop stop = {.reason = VM_GDB_BY_SIGNAL, .value = VM_GDB_SIGTRAP};
+    search->reaching = false;
+    if (search->any) {
+        find(search, cpu->cycle, &stop);
         return false;
-    if (!b)
-        return s->points.watches > 0 && vm_gdb_reaches(&s->points, cpu, stop);
-    *stop = (struct vm_gdb_stop){.reason = b->soft ? VM_GDB_BY_BREAK_SOFT : VM_GDB_BY_BREAK_HARD,
-                                 .value = VM_GDB_SIGTRAP};
+    }
+    const struct vm_gdb_break *b = vm_gdb_break_at(points, cpu->pc);
+    if (b) {
+        stop.reason = b->soft ? VM_GDB_BY_BREAK_SOFT : VM_GDB_BY_BREAK_HARD;
+        find(search, cpu->cycle, &stop);
+    } else if (points->watches > 0) {
+        search->reaching = vm_gdb_reaches(points, cpu, &search->access);
+    }
+    return false;
+}
+
+static void look_after(void *ctx, struct rv_cpu *cpu, uint32_t pc, uint32_t word, bool trapped)
+{
+    struct search *search = ctx;
+    (void)pc;
+    (void)word;
+    if (search->reaching && !trapped)
+        find(search, cpu->cycle, &search->access);
+}
+
+static bool at_cycle(void *ctx, struct rv_cpu *cpu)
+{
+    return cpu->cycle >= *(const uint64_t *)ctx;
+}
+
+static void look(struct search *search, uint64_t goal)
+{
+    const struct vm_gdb_target *t = &search->s->target;
+    const struct rv_hooks hooks = {search, look_before, look_after, NULL};
+    t->watch(t->ctx, t->time(t->ctx, goal), &hooks);
+}
+
+/* Rewinds and looks through everything from there to the goal, or the last bit of it. */
+static bool search_from(struct search *search, uint64_t goal, bool close)
+{
+    const struct vm_gdb_target *t = &search->s->target;
+    if (!t->rewind(t->ctx, goal))
+        return false;
+    if (close && goal - t->cpu->cycle > CLOSE)
+        t->run(t->ctx, t->time(t->ctx, goal - CLOSE));
+    look(search, goal);
     return true;
 }
 
-static bool give_up(struct search *search, uint64_t limit, bool here)
-{
-    const struct vm_gdb_target *t = &search->s->target;
-    search->s->run.stop = (struct vm_gdb_stop){.reason = VM_GDB_BY_SIGNAL, .value = VM_GDB_SIGINT};
-    if (!here)
-        t->run(t->ctx, limit);
-    return here;
-}
-
-static bool find(void *ctx, uint64_t limit, bool here)
-{
-    struct search *search = ctx;
-    struct vm_gdb_session *s = search->s;
-    const struct vm_gdb_target *t = &s->target;
-    const struct rv_hooks hooks = {search, look, NULL, NULL};
-    bool begins = t->now(t->ctx) < search->last;
-    if (s->look)
-        s->look(s->look_ctx);
-    if (begins && !search->any)
-        search->giving_up = s->interrupted;
-    search->here = here;
-    bool found = search->giving_up ? give_up(search, limit, here) : t->watch(t->ctx, limit, &hooks);
-    search->last = t->now(t->ctx);
-    search->any |= found;
-    return found;
-}
-
-void vm_gdb_go_back(struct vm_gdb_session *s)
+bool vm_gdb_go_back(struct vm_gdb_session *s)
 {
     const struct vm_gdb_target *t = &s->target;
-    struct search search = {.s = s, .last = UINT64_MAX};
-    bool came;
-    s->run.stop = (struct vm_gdb_stop){.reason = VM_GDB_BY_SIGNAL, .value = VM_GDB_SIGTRAP};
-    if (s->run.how == VM_GDB_STEP_BACK)
-        came = t->back(t->ctx);
-    else
-        came = t->back_until(t->ctx, find, &search);
-    if (!came)
-        s->run.stop.reason = VM_GDB_BY_BEGINNING;
+    bool step = s->run.how == VM_GDB_STEP_BACK;
+    struct search search = {.s = s, .any = step};
+    uint64_t goal = s->run.goal;
+    if (!search_from(&search, goal, step)) {
+        s->run.stop = (struct vm_gdb_stop){.reason = VM_GDB_BY_BEGINNING, .value = VM_GDB_SIGTRAP};
+        return true;
+    }
+    if (step && !search.found) /* it waited for longer than that */
+        search_from(&search, goal, false);
+    t->rewind(t->ctx, goal);
+    if (!search.found) {
+        s->run.goal = t->cpu->cycle;
+        return false;
+    }
+    s->reported_cycle = UINT64_MAX;
+    const struct rv_hooks hooks = {&search.cycle, at_cycle, NULL, NULL};
+    t->watch(t->ctx, t->time(t->ctx, search.cycle + 1), &hooks);
+    s->run.stop = search.stop;
+    return true;
 }

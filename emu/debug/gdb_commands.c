@@ -274,6 +274,7 @@ void vm_gdb_session_begin(struct vm_gdb_session *s, const struct vm_gdb_target *
     s->target = *target;
     s->acks = true;
     s->stop.value = VM_GDB_SIGTRAP;
+    s->reported_cycle = UINT64_MAX;
     vm_gdb_receiver_init(&s->in);
     vm_gdb_points_clear(&s->points);
 }

@@ -12,77 +12,26 @@
 #define SLICE_PS  (CRT_PS_PER_S / 1000)
 #define REGISTERS 8 /* bytes of the display processor's: DPC, MPR, XPR, YPR */
 
-static struct vm_machine *machine_of(void *ctx)
-{
-    return ((struct vm_gdb_machine *)ctx)->machine;
-}
-
 /* ---- time ---- */
 
 static uint64_t now(void *ctx)
 {
-    return machine_of(ctx)->now;
+    return ((struct vm_machine *)ctx)->now;
 }
 
 static bool exited(void *ctx, int *status)
 {
-    return vm_machine_exited(machine_of(ctx), status);
+    return vm_machine_exited(ctx, status);
 }
 
 static void run(void *ctx, uint64_t until)
 {
-    vm_machine_run_end(machine_of(ctx), until);
+    vm_machine_run_end(ctx, until);
 }
 
 static bool watch(void *ctx, uint64_t until, const struct rv_hooks *hooks)
 {
-    return vm_machine_watch(machine_of(ctx), until, hooks);
-}
-
-/* ---- the past ---- */
-
-struct finding {
-    vm_gdb_find *find;
-    void *ctx;
-};
-
-static bool find(void *ctx, struct vm_rig *rig, uint64_t limit, bool here)
-{
-    const struct finding *finding = ctx;
-    (void)rig;
-    return finding->find(finding->ctx, limit, here);
-}
-
-static void remember(void *ctx)
-{
-    vm_history_note(((struct vm_gdb_machine *)ctx)->history);
-}
-
-static void changed(void *ctx)
-{
-    vm_history_mark(((struct vm_gdb_machine *)ctx)->history);
-}
-
-static void give_films_up(const struct vm_machine *m)
-{
-    if (m->desc.tube)
-        crt_tube_cancel_films(m->desc.tube);
-}
-
-static bool back(void *ctx)
-{
-    struct vm_gdb_machine *of = ctx;
-    struct crt_error err;
-    give_films_up(of->machine);
-    return vm_history_back(of->history, VM_UNIT_INSTRUCTION, 1, &err);
-}
-
-static bool back_until(void *ctx, vm_gdb_find *what, void *what_ctx)
-{
-    struct vm_gdb_machine *of = ctx;
-    struct crt_error err;
-    give_films_up(of->machine);
-    return vm_history_back_until(of->history, find, &(struct finding){what, what_ctx}, &err);
+    return vm_machine_watch(ctx, until, hooks);
 }
 
 /* ---- memory ---- */
@@ -115,7 +64,7 @@ static uint8_t register_byte(const struct vm_machine *m, uint32_t offset)
 
 static size_t read(void *ctx, uint32_t address, uint8_t *bytes, size_t size)
 {
-    const struct vm_machine *m = machine_of(ctx);
+    const struct vm_machine *m = ctx;
     size_t n = within(address, size, MAP_PROGRAM, MAP_PROGRAM_SIZE);
     if (n > 0) {
         memcpy(bytes, m->desc.board->memory + (address - MAP_PROGRAM), n);
@@ -134,7 +83,7 @@ static size_t read(void *ctx, uint32_t address, uint8_t *bytes, size_t size)
 
 static size_t write(void *ctx, uint32_t address, const uint8_t *bytes, size_t size)
 {
-    struct vm_machine *m = machine_of(ctx);
+    struct vm_machine *m = ctx;
     size_t n = within(address, size, MAP_PROGRAM, MAP_PROGRAM_SIZE);
     if (n > 0) {
         memcpy(m->desc.board->memory + (address - MAP_PROGRAM), bytes, n);
@@ -244,18 +193,18 @@ static bool monitor(void *ctx, const char *command, char *text, size_t size)
                     {"help", tell_help}};
     for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
         if (strcmp(command, commands[i].name) == 0) {
-            commands[i].tell(machine_of(ctx), text, size);
+            commands[i].tell(ctx, text, size);
             return true;
         }
     return false;
 }
 
-struct vm_gdb_target vm_gdb_machine(struct vm_gdb_machine *of)
+struct vm_gdb_target vm_gdb_machine(struct vm_machine *m)
 {
-    assert(of->machine->desc.board);
-    struct vm_gdb_target target = {
-        .ctx = of,
-        .cpu = &of->machine->desc.board->cpu,
+    assert(m->desc.board);
+    return (struct vm_gdb_target){
+        .ctx = m,
+        .cpu = &m->desc.board->cpu,
         .slice = SLICE_PS,
         .now = now,
         .run = run,
@@ -265,11 +214,4 @@ struct vm_gdb_target vm_gdb_machine(struct vm_gdb_machine *of)
         .write = write,
         .monitor = monitor,
     };
-    if (of->history) {
-        target.remember = remember;
-        target.changed = changed;
-        target.back = back;
-        target.back_until = back_until;
-    }
-    return target;
 }

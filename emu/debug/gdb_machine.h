@@ -7,21 +7,14 @@
  *             it. Monitor commands tell of the time, the processors and the interrupt lines.
  * Time:       picoseconds; slices of a millisecond. An end or an unhandled trap under break- and
  *             watchpoints is noticed at the end of its slice: the display may be that much further.
- * Back:       with a history; films that are open on the tube then are given up.
- * Ownership:  machine and history are the caller's.
+ * Ownership:  the machine is the caller's.
  */
 #ifndef EMU_DEBUG_GDB_MACHINE_H
 #define EMU_DEBUG_GDB_MACHINE_H
 
 #include "emu/debug/gdb_target.h"
-#include "emu/debug/history.h"
 #include "emu/machine.h"
 
-struct vm_gdb_machine {
-    struct vm_machine *machine;
-    struct vm_history *history; /* of the same machine; NULL: there is no way back */
-};
-
-struct vm_gdb_target vm_gdb_machine(struct vm_gdb_machine *of);
+struct vm_gdb_target vm_gdb_machine(struct vm_machine *m);
 
 #endif

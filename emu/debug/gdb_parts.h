@@ -56,8 +56,8 @@ bool vm_gdb_reaches(const struct vm_gdb_points *points, const struct rv_cpu *cpu
 /* "1", "0" (any), "-1" (all): this program's only thread. */
 bool vm_gdb_take_thread(struct vm_gdb_fields *f);
 
-/* gdb_back.c: goes back to a stop, which is then in run.stop. */
-void vm_gdb_go_back(struct vm_gdb_session *s);
+/* gdb_back.c: one piece of going back; true when it has come to a stop, which is then in run.stop. */
+bool vm_gdb_go_back(struct vm_gdb_session *s);
 
 /* gdb_monitor.c: commands of the user to the machine. */
 void vm_gdb_monitor(struct vm_gdb_session *s, struct vm_gdb_fields *f);

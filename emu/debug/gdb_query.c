@@ -24,7 +24,7 @@ static void supported(struct vm_gdb_session *s, struct vm_gdb_fields *f)
     vm_gdb_add_number(&s->reply, VM_GDB_BODY_MAX);
     vm_gdb_add_text(&s->reply, ";QStartNoAckMode+;qXfer:features:read+;swbreak+;hwbreak+;"
                                "vContSupported+");
-    if (s->target.back)
+    if (s->target.rewind)
         vm_gdb_add_text(&s->reply, ";ReverseStep+;ReverseContinue+");
     vm_gdb_send(s);
 }

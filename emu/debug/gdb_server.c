@@ -152,6 +152,23 @@ static void drop(struct vm_gdb *gdb)
     gdb->client = -1;
 }
 
+static void let_in(struct vm_gdb *gdb, const struct vm_gdb_target *target)
+{
+    int fd = accept(gdb->listener, NULL, NULL);
+    if (fd < 0)
+        return;
+    if (gdb->client >= 0 || !nonblocking(fd)) {
+        close(fd);
+        return;
+    }
+    /* Packets are small and waited for. */
+    setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &(int){1}, sizeof(int));
+    gdb->client = fd;
+    gdb->waiting = false;
+    gdb->pending_size = 0;
+    vm_gdb_session_begin(&gdb->session, target);
+}
+
 /* Not yet, rather than never. */
 static bool later(void)
 {
@@ -208,38 +225,6 @@ static void flush(struct vm_gdb *gdb)
         write_client(gdb);
         vm_gdb_session_output(&gdb->session, &size);
     }
-}
-
-static void look_again(void *ctx)
-{
-    struct vm_gdb *gdb = ctx;
-    struct pollfd fd = {.fd = gdb->client, .events = POLLIN};
-    if (gdb->client < 0 || gdb->pending_size == sizeof gdb->pending || poll(&fd, 1, 0) <= 0)
-        return;
-    read_client(gdb);
-    if (gdb->client >= 0)
-        serve(gdb);
-    else
-        gdb->session.interrupted = true; /* nobody waits any more */
-}
-
-static void let_in(struct vm_gdb *gdb, const struct vm_gdb_target *target)
-{
-    int fd = accept(gdb->listener, NULL, NULL);
-    if (fd < 0)
-        return;
-    if (gdb->client >= 0 || !nonblocking(fd)) {
-        close(fd);
-        return;
-    }
-    /* Packets are small and waited for. */
-    setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &(int){1}, sizeof(int));
-    gdb->client = fd;
-    gdb->waiting = false;
-    gdb->pending_size = 0;
-    vm_gdb_session_begin(&gdb->session, target);
-    gdb->session.look = look_again;
-    gdb->session.look_ctx = gdb;
 }
 
 /* Waits up to wait_ms for something to happen, and serves it; false when nothing did. */

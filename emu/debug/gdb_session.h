@@ -57,9 +57,8 @@ struct vm_gdb_run {
     uint32_t low, high; /* STEP_RANGE: goes on while pc is in [low, high) */
     bool first;         /* the first instruction has not begun */
     unsigned depth;     /* handlers entered by interrupts, and not left */
-    bool reaching;      /* the instruction about to be executed reaches a watched byte … */
-    bool reached;       /* … and one has. `stop` says which */
     struct vm_gdb_stop stop;
+    uint64_t goal; /* BACK, STEP_BACK: stop at an instruction begun before this clock */
 };
 
 #define VM_GDB_OUTPUT_MAX (2 * VM_GDB_PACKET_MAX)
@@ -73,15 +72,14 @@ struct vm_gdb_session {
     bool interrupted;          /* the client asked for a stop */
     bool changed;              /* registers or memory, by the client, since it last ran */
     struct vm_gdb_stop stop;   /* the last one */
+    uint64_t reported_cycle;   /* the access that a watchpoint last stopped before */
+    uint32_t reported_pc;
     struct vm_gdb_run run;
     struct vm_gdb_points points;
     struct vm_gdb_receiver in;
     struct vm_gdb_packet reply; /* the last packet sent, for when the client missed it */
     size_t output_size;
     uint8_t output[VM_GDB_OUTPUT_MAX];
-    void (*look)(
-        void *ctx); /* feeds what the client has sent: called in work that takes long; or NULL */
-    void *look_ctx;
 };
 
 /* A client has come: the machine is stopped, by SIGTRAP. */

@@ -1,7 +1,7 @@
 /* gdb_target.h — what the debugger needs of a machine.
  *
  *      packets ─▶ session ──▶ registers: struct rv_cpu      memory: read, write
- *                         ──▶ time: run, watch (with hooks)   the past: back
+ *                         ──▶ time: run, watch (with hooks)   the past: rewind
  *
  * Models:     the processor itself, and calls for what lies around it, so that a session works on
  *             the whole machine as on a bare processor with some memory.
@@ -17,11 +17,6 @@
 #include <stdint.h>
 
 #include "emu/cpu/rv.h"
-
-/* Runs the target on to the next place looked for and returns true there; false with the target at
- * `limit`: what begins then or later does not count. Where the target is at the call counts only
- * when `here`. Does the same again when called again from the same state. */
-typedef bool vm_gdb_find(void *ctx, uint64_t limit, bool here);
 
 struct vm_gdb_target {
     void *ctx;
@@ -42,18 +37,17 @@ struct vm_gdb_target {
     size_t (*read)(void *ctx, uint32_t address, uint8_t *bytes, size_t size);
     size_t (*write)(void *ctx, uint32_t address, const uint8_t *bytes, size_t size);
 
+    /* The client has changed registers or memory, and time is about to pass. NULL: nobody minds. */
+    void (*changed)(void *ctx);
+
     /* Commands of this machine: its answer as text in lines, or false when it has no such command.
      * "help" adds a line for each. NULL: none. */
     bool (*monitor)(void *ctx, const char *command, char *text, size_t size);
 
-    /* The past; NULL where it is not remembered. `remember` is called now and then while time
-     * passes, `changed` when the client has changed registers or memory and time is about to.
-     * Going back by an instruction, or to the last place before now that `find` finds: false when
-     * there is none, with the machine at the beginning of what is remembered. */
-    void (*remember)(void *ctx);
-    void (*changed)(void *ctx);
-    bool (*back)(void *ctx);
-    bool (*back_until)(void *ctx, vm_gdb_find *find, void *find_ctx);
+    /* The machine as it was at the last moment kept before the processor's clock was `cycle`; false
+     * when there is none, and nothing has changed. NULL: the past is not kept. */
+    bool (*rewind)(void *ctx, uint64_t cycle);
+    uint64_t (*time)(void *ctx, uint64_t cycle); /* when that clock begins; needed to rewind */
 };
 
 #endif

@@ -114,6 +114,22 @@ static void bare_keep(struct bare *b)
     b->next = b->cpu.cycle + b->keep;
 }
 
+static bool bare_rewind(void *ctx, uint64_t cycle)
+{
+    struct bare *b = ctx;
+    int i = b->kept_count - 1;
+    while (i >= 0 && b->kept[i].cpu.cycle >= cycle)
+        i--;
+    if (i < 0)
+        return false;
+    b->cpu = b->kept[i].cpu;
+    b->timer = b->kept[i].timer;
+    b->over = false;
+    memcpy(b->memory, b->kept[i].memory, sizeof b->memory);
+    rv_changed(&b->cpu, BARE_BASE, BARE_BASE + BARE_SIZE);
+    return true;
+}
+
 static uint64_t bare_now(void *ctx)
 {
     return ((struct bare *)ctx)->cpu.cycle;
@@ -122,6 +138,12 @@ static uint64_t bare_now(void *ctx)
 static void bare_changed(void *ctx)
 {
     ((struct bare *)ctx)->changes++;
+}
+
+static uint64_t bare_time(void *ctx, uint64_t cycle)
+{
+    (void)ctx;
+    return cycle;
 }
 
 /* To the timer, to the next moment to be kept, to the end. */
@@ -157,61 +179,6 @@ static void bare_run(void *ctx, uint64_t until)
 static bool bare_watch(void *ctx, uint64_t until, const struct rv_hooks *hooks)
 {
     return bare_go(ctx, until, hooks);
-}
-
-/* Snapshot i again. */
-static void bare_recall(struct bare *b, int i)
-{
-    b->cpu = b->kept[i].cpu;
-    b->timer = b->kept[i].timer;
-    b->over = false;
-    memcpy(b->memory, b->kept[i].memory, sizeof b->memory);
-    rv_changed(&b->cpu, BARE_BASE, BARE_BASE + BARE_SIZE);
-}
-
-/* An instruction a clock: programs that wait are not for this. */
-static bool bare_back(void *ctx)
-{
-    struct bare *b = ctx;
-    uint64_t cycle = b->cpu.cycle;
-    int i = b->kept_count - 1;
-    while (i > 0 && b->kept[i].cpu.cycle >= cycle)
-        i--;
-    bare_recall(b, i);
-    if (b->cpu.cycle >= cycle)
-        return false;
-    bare_go(b, cycle - 1, NULL);
-    return true;
-}
-
-/* The last place found before `end`, from snapshot i on; how many there were. */
-static int bare_search(struct bare *b, int i, uint64_t end, int wanted, vm_gdb_find *find,
-                       void *find_ctx)
-{
-    int found = 0;
-    bool here = true;
-    bare_recall(b, i);
-    while (b->cpu.cycle < end && (wanted == 0 || found < wanted)) {
-        uint64_t limit = end - b->cpu.cycle > 10 ? b->cpu.cycle + 10 : end;
-        here = !find(find_ctx, limit, here);
-        found += !here;
-    }
-    return found;
-}
-
-static bool bare_back_until(void *ctx, vm_gdb_find *find, void *find_ctx)
-{
-    struct bare *b = ctx;
-    uint64_t end = b->cpu.cycle;
-    for (int i = b->kept_count - 1; i >= 0; i--) {
-        int found = bare_search(b, i, end, 0, find, find_ctx);
-        if (found > 0)
-            return bare_search(b, i, end, found, find, find_ctx) == found;
-        if (b->kept[i].cpu.cycle < end)
-            end = b->kept[i].cpu.cycle;
-    }
-    bare_recall(b, 0);
-    return false;
 }
 
 static bool bare_exited(void *ctx, int *status)
@@ -287,8 +254,8 @@ static inline bool bare_init(struct bare *b, const uint32_t *program, size_t wor
         .write = bare_write,
         .monitor = bare_monitor,
         .changed = bare_changed,
-        .back = keep ? bare_back : NULL,
-        .back_until = bare_back_until,
+        .rewind = keep ? bare_rewind : NULL,
+        .time = bare_time,
     };
     if (!rv_init(&b->cpu, &desc))
         return false;
