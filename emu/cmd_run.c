@@ -13,6 +13,7 @@ struct options {
     struct vm_size size;
     double scale;
     const char *roms;
+    struct vm_saved_options saved;
     struct vm_settings_options settings;
     struct vm_light_options light;
     struct vm_input_options input;
@@ -72,7 +73,7 @@ static int debuggable_headless(const struct options *o, const char *path,
                                const struct vm_settings *settings, const struct vm_input *input,
                                struct crt_error *err)
 {
-    struct vm_headless headless = {.console = o->console, .length = o->length};
+    struct vm_headless headless = {.console = o->console, .length = o->length, .saved = o->saved};
     int status;
     if (!open_gdb(o, path, &headless.gdb, &status, err))
         return status;
@@ -123,7 +124,8 @@ static int run_window(const struct options *o, const char *path)
                                 .full_screen = o->full_screen,
                                 .scale = o->scale,
                                 .length = o->length,
-                                .console = o->console};
+                                .console = o->console,
+                                .saved = &o->saved};
     err.text[0] = '\0';
     if (open_gdb(o, path, &desc.gdb, &status, &err))
         status = vm_show(&desc, &err);
@@ -136,7 +138,8 @@ static int run(int argc, char **argv)
     struct options o = {.scale = 1, .light = {.room = -1}};
     const struct vm_option_table tables[] = {
         VM_OPTION_TABLE(rows, &o), VM_OPTION_TABLE(vm_light_rows, &o.light),
-        VM_OPTION_TABLE(vm_settings_rows, &o.settings), VM_OPTION_TABLE(vm_input_rows, &o.input)};
+        VM_OPTION_TABLE(vm_settings_rows, &o.settings), VM_OPTION_TABLE(vm_input_rows, &o.input),
+        VM_OPTION_TABLE(vm_saved_rows, &o.saved)};
     struct vm_args args;
     struct crt_error err;
     int status = vm_command_parse(&vm_command_run, tables, sizeof tables / sizeof *tables, argc,
@@ -168,6 +171,7 @@ const struct vm_command vm_command_run = {
     "  kinescope run roms/spin.df --headless --for 60s\n"
     "  kinescope run roms/hello.elf --headless --console\n"
     "  kinescope run roms/clock.elf --gdb 127.0.0.1:1234\n"
+    "  kinescope run roms/clock.elf --headless --for 5s --save-state clock.state\n"
     "  echo hello | kinescope run roms/hello.elf --headless --console --for 5s",
     run,
 };

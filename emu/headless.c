@@ -4,7 +4,7 @@
 #include <time.h>
 
 #include "emu/command.h"
-#include "emu/debug/gdb_machine.h"
+#include "emu/debug/gdb_past.h"
 #include "emu/moment.h"
 #include "emu/progress.h"
 #include "emu/rig.h"
@@ -31,8 +31,8 @@ static double seconds(void)
 struct run {
     struct vm_rig *rig;
     struct vm_terminal *terminal; /* NULL: no --console */
-    struct vm_gdb *gdb;           /* NULL: no debugger */
-    struct vm_history *history;   /* for the debugger */
+    struct vm_gdb *gdb;           /* NULL: no --gdb */
+    struct vm_history *history;   /* for the debugger to go back */
 };
 
 /* To the end of the firmware or `until`; true when it has ended. A debugger may hold the machine. */
@@ -40,8 +40,8 @@ static bool run_end(const struct run *r, uint64_t until)
 {
     if (!r->gdb)
         return vm_machine_run_end(r->rig->machine, until);
-    struct vm_gdb_machine machine = {r->rig->machine, r->history};
-    struct vm_gdb_target target = vm_gdb_machine(&machine);
+    struct vm_gdb_past past;
+    struct vm_gdb_target target = vm_gdb_with_past(&past, r->rig->machine, r->history);
     return vm_gdb_run(r->gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
 }
 
@@ -81,10 +81,11 @@ static void run(const struct run *r, uint64_t limit)
 /* ---- the outcome --------------------------------------------------------------------------------
  */
 
-static void say_speed(const struct vm_rig *rig, const struct vm_input *input, double took)
+static void say_speed(const struct vm_rig *rig, const struct vm_input *input, uint64_t from,
+                      double took)
 {
     const struct vm_machine *m = rig->machine;
-    double simulated = (double)m->now / (double)CRT_PS_PER_S;
+    double simulated = (double)(m->now - from) / (double)CRT_PS_PER_S;
     fprintf(
         stderr,
         "%s: %.6g simulated seconds in %.3g s, %.0f simulated seconds a second; %llu words, %llu "
@@ -136,23 +137,30 @@ static int outcome(const struct vm_rig *rig, const struct vm_input *input, bool 
     return vm_find_trouble(rig->machine, input, err) ? VM_EXIT_TROUBLE : VM_EXIT_OK;
 }
 
-/* ---- all together -------------------------------------------------------------------------------
+/* ---- all of it ----------------------------------------------------------------------------------
  */
 
-static bool check(const struct vm_headless *h, const struct vm_settings *settings,
-                  const struct vm_input *input, uint64_t *limit, struct crt_error *err)
+static int check(const struct vm_headless *h, const struct vm_input *input, struct crt_error *err)
 {
-    *limit = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
-    if (h->length.given && !vm_time_ps(&h->length, settings->tick, limit, err))
-        return false;
-    if (h->console && !input->has_firmware)
-        return crt_fail(err, "--console: %s has no firmware that would use it", input->name);
-    if (h->gdb && !input->has_firmware)
-        return crt_fail(err, "--gdb: %s has no firmware to debug", input->name);
-    return true;
+    if (input->has_firmware || (!h->console && !h->gdb))
+        return VM_EXIT_OK;
+    crt_fail(err, "%s: %s has no firmware", h->console ? "--console" : "--gdb", input->name);
+    return VM_EXIT_USAGE;
 }
 
-/* The terminal, and the debugger's way back. */
+static bool open_rig(const struct vm_headless *h, const struct vm_settings *settings,
+                     const struct vm_input *input, struct vm_rig *rig, struct crt_error *err)
+{
+    struct crt_tube_desc tube = vm_settings_tube(settings);
+    if (!vm_rig_open(rig, settings, input, DF_TIMING_VALUE, h->saved.save ? &tube : NULL, err))
+        return false;
+    if (vm_saved_load(&h->saved, rig, settings, input, err))
+        return true;
+    vm_rig_close(rig);
+    return false;
+}
+
+/* The terminal, and the debugger with its way back. */
 static bool join(struct run *r, const struct vm_headless *h, struct vm_terminal *terminal,
                  struct crt_error *err)
 {
@@ -175,29 +183,42 @@ static void part(struct run *r)
     vm_history_destroy(r->history);
 }
 
+/* Runs an open rig to its end. False: a sentence, and nothing has run. */
+static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct vm_input *input,
+                 uint64_t limit, bool *left, struct crt_error *err)
+{
+    struct vm_terminal terminal = {0};
+    struct run r = {.rig = rig};
+    bool ok = join(&r, h, &terminal, err);
+    double begin = seconds();
+    uint64_t from = rig->machine->now;
+    if (ok)
+        run(&r, limit);
+    part(&r);
+    if (ok && !h->console && !h->gdb)
+        say_speed(rig, input, from, seconds() - begin);
+    *left = terminal.left || (h->gdb && vm_gdb_killed(h->gdb));
+    return ok;
+}
+
 int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,
                 const struct vm_input *input, struct crt_error *err)
 {
     struct vm_rig rig;
-    struct vm_terminal terminal;
-    struct run r = {.rig = &rig};
-    uint64_t limit;
-    int status = VM_EXIT_TROUBLE;
-    if (!check(h, settings, input, &limit, err))
+    bool left = false;
+    uint64_t length = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
+    int status = check(h, input, err);
+    if (status)
+        return status;
+    if (h->length.given && !vm_time_ps(&h->length, settings->tick, &length, err))
         return VM_EXIT_USAGE;
-    if (!vm_rig_open(&rig, settings, input, DF_TIMING_VALUE, NULL, err))
+    if (!open_rig(h, settings, input, &rig, err))
         return VM_EXIT_TROUBLE;
-    bool ok = join(&r, h, &terminal, err);
-    double begin = seconds();
-    if (ok)
-        run(&r, limit);
-    part(&r);
-    if (ok) {
-        if (!h->console && !h->gdb)
-            say_speed(&rig, input, seconds() - begin);
-        bool left = (h->console && terminal.left) || (h->gdb && vm_gdb_killed(h->gdb));
+    if (!play(h, &rig, input, rig.machine->now + length, &left, err) ||
+        !vm_saved_save(&h->saved, &rig, settings, input, err))
+        status = VM_EXIT_TROUBLE;
+    else
         status = outcome(&rig, input, left, err);
-    }
     vm_rig_close(&rig);
     return status;
 }

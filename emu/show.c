@@ -262,6 +262,9 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
         show->last_time = vm_window_time();
         loop(show);
     }
+    if (ok && show->program)
+        ok = vm_saved_save(desc->saved, &show->program->rig, &show->program->settings,
+                           &show->program->input, err);
     int status = ok ? VM_EXIT_OK : VM_EXIT_TROUBLE;
     if (ok)
         vm_machine_exited(show->program->rig.machine, &status);

@@ -19,6 +19,7 @@
 #include "emu/picture.h"
 #include "emu/rig.h"
 #include "emu/roms.h"
+#include "emu/saved.h"
 #include "emu/terminal.h"
 #include "emu/window.h"
 
@@ -33,6 +34,7 @@ struct vm_show_desc {
     double scale;          /* simulated seconds a second */
     struct vm_time length; /* close after this much simulated time, when given */
     bool console;          /* firmware's console is stdin and stdout */
+    const struct vm_saved_options *saved;
     struct vm_gdb *gdb;    /* a debugger may come here; NULL: none */
 };
 

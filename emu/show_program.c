@@ -80,6 +80,9 @@ static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, st
         return false;
     if (d->console && p->rig.console)
         p->rig.console->desc = vm_terminal_console(&show->terminal);
+    /* --load-state is for the program that the show begins with. */
+    if (!show->program && !vm_saved_load(d->saved, &p->rig, &p->settings, &p->input, err))
+        return false;
     return crt_film_init(&p->film, p->rig.tube, err);
 }
 

@@ -52,15 +52,10 @@ enum vm_unit { VM_UNIT_INSTRUCTION, VM_UNIT_WORD, VM_UNIT_REFRESH };
  * of a refresh before here (from within a refresh the first is where it began). False and a sentence: not that
  * much is remembered; the rig is then where memory begins. */
 bool vm_history_back(struct vm_history *h, enum vm_unit unit, uint64_t n, struct crt_error *err);
-/* Runs the rig on to the next place where a condition holds, and returns true there; false with the
- * rig at `limit` ps: what begins then or later does not count. Where the rig is at the call counts
- * only when `here`. Must do the same again when called again from the same state. */
-typedef bool vm_history_find(void *ctx, struct vm_rig *rig, uint64_t limit, bool here);
-
-/* Goes back to the last place before now at which the condition held. False and a sentence: there
- * is none in what is remembered; the rig is then where memory begins. */
-bool vm_history_back_until(struct vm_history *h, vm_history_find *find, void *ctx,
-                           struct crt_error *err);
+/* Restores the last snapshot in which the processor's clock is before `cycle`, and forgets the later
+ * ones; false when there is none, and nothing has changed. For who searches the past himself
+ * (emu/debug/gdb_target.h). */
+bool vm_history_rewind(struct vm_history *h, uint64_t cycle);
 
 /* How much is remembered. */
 struct vm_history_extent {
@@ -68,5 +63,6 @@ struct vm_history_extent {
     uint64_t oldest; /* ps */
 };
 struct vm_history_extent vm_history_extent(const struct vm_history *h);
+uint64_t vm_history_period(const struct vm_history *h);
 
 #endif
