@@ -153,8 +153,13 @@ void vm_gdb_session_run(struct vm_gdb_session *s, uint64_t until)
     if (until > now && until - now > t->slice)
         until = now + t->slice;
     bool stopped = s->interrupted && stop(&s->run, VM_GDB_BY_SIGNAL, VM_GDB_SIGINT);
-    if (!stopped)
-        stopped = vm_gdb_goes_back(s) ? vm_gdb_go_back(s) : go_on(s, until);
+    if (!stopped && vm_gdb_goes_back(s)) {
+        stopped = vm_gdb_go_back(s);
+    } else if (!stopped) {
+        stopped = go_on(s, until);
+        if (t->remember)
+            t->remember(t->ctx);
+    }
     if (!stopped)
         return;
     s->state = VM_GDB_STOPPED;
