@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "emu/command.h"
-#include "emu/debug/gdb_machine.h"
+#include "emu/debug/gdb_past.h"
 #include "emu/trouble.h"
 
 #define LONGEST_FRAME_S 0.05 /* a late frame does not make the machine hurry after it */
@@ -44,7 +44,10 @@ static void run_machine(struct vm_show *show, uint64_t until)
     struct vm_machine *m = show->program->rig.machine;
     struct vm_gdb *gdb = show->desc->gdb;
     if (gdb && m->desc.board) {
-        struct vm_gdb_target target = vm_gdb_machine(m);
+        struct vm_gdb_past past;
+        struct vm_history *history = show->program->history;
+        struct vm_gdb_target target =
+            history ? vm_gdb_with_past(&past, m, history) : vm_gdb_machine(m);
         if (vm_gdb_run(gdb, &target, until, DEBUGGER_MS) != VM_GDB_OVER)
             return;
         show->quit |= vm_gdb_killed(gdb);
