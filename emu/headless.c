@@ -140,14 +140,6 @@ static int outcome(const struct vm_rig *rig, const struct vm_input *input, bool 
 /* ---- all of it ----------------------------------------------------------------------------------
  */
 
-static int check(const struct vm_headless *h, const struct vm_input *input, struct crt_error *err)
-{
-    if (input->has_firmware || (!h->console && !h->gdb))
-        return VM_EXIT_OK;
-    crt_fail(err, "%s: %s has no firmware", h->console ? "--console" : "--gdb", input->name);
-    return VM_EXIT_USAGE;
-}
-
 static bool open_rig(const struct vm_headless *h, const struct vm_settings *settings,
                      const struct vm_input *input, struct vm_rig *rig, struct crt_error *err)
 {
@@ -207,9 +199,7 @@ int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,
     struct vm_rig rig;
     bool left = false;
     uint64_t length = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
-    int status = check(h, input, err);
-    if (status)
-        return status;
+    int status;
     if (h->length.given && !vm_time_ps(&h->length, settings->tick, &length, err))
         return VM_EXIT_USAGE;
     if (!open_rig(h, settings, input, &rig, err))
