@@ -232,7 +232,8 @@ static void time_state(struct crt_tube *tube, struct crt_state *s)
 
 void crt_tube_state(struct crt_tube *tube, struct crt_state *s)
 {
-    assert(!s->loading || !tube->films);
+    while (s->loading && tube->films)
+        crt_film_cancel(tube, tube->films);
     crt_state_begin(s, "TUBE", VERSION);
     grid_state(&tube->desc.grid, s);
     time_state(tube, s);

@@ -4,7 +4,7 @@
 #include <time.h>
 
 #include "emu/command.h"
-#include "emu/debug/gdb_machine.h"
+#include "emu/debug/gdb_past.h"
 #include "emu/moment.h"
 #include "emu/progress.h"
 #include "emu/rig.h"
@@ -27,17 +27,33 @@ static double seconds(void)
 /* ---- running ------------------------------------------------------------------------------------
  */
 
-/* To the end of the firmware or `until`; true when it has ended. A debugger may hold the machine. */
-static bool run_end(struct vm_rig *rig, struct vm_gdb *gdb, uint64_t until)
+/* Who may hold the machine, and take it back. */
+struct debugger {
+    struct vm_gdb *gdb;         /* NULL: nobody */
+    struct vm_history *history; /* NULL: no memory for it */
+    struct vm_gdb_past past;
+};
+
+static void open_debugger(struct debugger *d, struct vm_gdb *gdb, struct vm_rig *rig)
 {
-    if (!gdb)
+    struct crt_error lost;
+    *d = (struct debugger){.gdb = gdb};
+    if (gdb)
+        d->history = vm_history_create(&(struct vm_history_desc){.rig = rig}, &lost);
+}
+
+/* To the end of the firmware or `until`; true when it has ended. A debugger may hold the machine. */
+static bool run_end(struct vm_rig *rig, struct debugger *d, uint64_t until)
+{
+    if (!d->gdb)
         return vm_machine_run_end(rig->machine, until);
-    struct vm_gdb_target target = vm_gdb_machine(rig->machine);
-    return vm_gdb_run(gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
+    struct vm_gdb_target target = d->history ? vm_gdb_with_past(&d->past, rig->machine, d->history)
+                                             : vm_gdb_machine(rig->machine);
+    return vm_gdb_run(d->gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
 }
 
 /* In real time, until the firmware ends, the limit, or who types leaves. */
-static void run_live(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb *gdb,
+static void run_live(struct vm_rig *rig, struct vm_terminal *terminal, struct debugger *debugger,
                      uint64_t limit)
 {
     struct vm_machine *m = rig->machine;
@@ -46,22 +62,22 @@ static void run_live(struct vm_rig *rig, struct vm_terminal *terminal, struct vm
         double now = seconds(), elapsed = now - last;
         last = now;
         uint64_t ps = (uint64_t)((elapsed < LONGEST_S ? elapsed : LONGEST_S) * 1e12);
-        if (run_end(rig, gdb, limit - m->now < ps ? limit : m->now + ps))
+        if (run_end(rig, debugger, limit - m->now < ps ? limit : m->now + ps))
             return;
         vm_terminal_poll(terminal, rig->console, m->now, KEYS_S);
     }
 }
 
-static void run(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb *gdb,
+static void run(struct vm_rig *rig, struct vm_terminal *terminal, struct debugger *debugger,
                 uint64_t limit)
 {
     struct vm_progress progress;
     if (terminal && terminal->live) {
-        run_live(rig, terminal, gdb, limit);
+        run_live(rig, terminal, debugger, limit);
         return;
     }
-    if (gdb) {
-        while (rig->machine->now < limit && !run_end(rig, gdb, limit))
+    if (debugger->gdb) {
+        while (rig->machine->now < limit && !run_end(rig, debugger, limit))
             ;
         return;
     }
@@ -158,13 +174,16 @@ static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct v
                  uint64_t limit, bool *left, struct crt_error *err)
 {
     struct vm_terminal terminal = {0};
+    struct debugger debugger;
     if (h->console && !vm_terminal_open(&terminal, err))
         return false;
     if (h->console)
         rig->console->desc = vm_terminal_console(&terminal);
     double begin = seconds();
     uint64_t from = rig->machine->now;
-    run(rig, h->console ? &terminal : NULL, h->gdb, limit);
+    open_debugger(&debugger, h->gdb, rig);
+    run(rig, h->console ? &terminal : NULL, &debugger, limit);
+    vm_history_destroy(debugger.history);
     vm_terminal_close(&terminal);
     if (!h->console && !h->gdb)
         say_speed(rig, input, from, seconds() - begin);

@@ -5,7 +5,7 @@
  *              ─▶ rewind ─▶ history
  *
  * Models:     the target of gdb_machine.h, whose every run is remembered.
- * Films:      none may be open on the tube while the client goes back: see emu/debug/history.h.
+ * Films:      that are open on the tube are cancelled when the client goes back.
  * Ownership:  the struct is the caller's, as are machine and history; all must outlive the target.
  * Errors:     as gdb_machine.h and history.h.
  */

@@ -73,6 +73,22 @@ report $? "step, registers, monitor, a register is set"
 [ $status -eq 0 ]
 report $? "kill ends the run"
 
+# ---- back ----
+
+start bounce
+debug 'break body_move' continue 'set $first = $pc' 'continue' 'continue' 'monitor time' 'print $a0' \
+    'reverse-continue' 'print $pc == $first' 'stepi' 'stepi' 'stepi' 'print $pc == $first + 12' \
+    'reverse-stepi' 'print $pc == $first + 8' 'reverse-continue' 'print $pc == $first' \
+    'set {int} ($sp - 512) = 77' 'stepi' 'reverse-stepi' 'print {int} ($sp - 512)' 'monitor past' \
+    'delete' 'reverse-continue' 'print $pc == (void (*)()) _start' 'monitor time' kill
+finish
+said '^\$2 = 1$' '^\$3 = 1$' '^\$4 = 1$' '^\$5 = 1$'
+report $? "reverse-continue and reverse-stepi"
+said '^\$6 = 77$' '^remembered from 0\.0 s on, by [0-9]+ snapshots'
+report $? "what gdb wrote stays in its time"
+said 'No more reverse-execution history' '^\$7 = 1$' '^0\.0 s, cycle 0, 0 instructions'
+report $? "back to power-on"
+
 # ---- interrupt, detach ----
 
 start bounce
