@@ -99,6 +99,7 @@ void crt_film_free(struct crt_film *film);
  * or until crt_film_cancel(). */
 void crt_film_open(struct crt_tube *tube, struct crt_film *film, uint64_t t0, uint64_t t1);
 void crt_film_cancel(struct crt_tube *tube, struct crt_film *film);
+void crt_tube_cancel_films(struct crt_tube *tube); /* all that are open */
 /* Ends an open film at the `now` of the last advance: it is complete, with that t1. False when it is
  * not open, or when that is not after t0; it is not open then, and not complete. */
 bool crt_film_end(struct crt_tube *tube, struct crt_film *film);

@@ -232,8 +232,8 @@ static void time_state(struct crt_tube *tube, struct crt_state *s)
 
 void crt_tube_state(struct crt_tube *tube, struct crt_state *s)
 {
-    while (s->loading && tube->films)
-        crt_film_cancel(tube, tube->films);
+    if (s->loading)
+        crt_tube_cancel_films(tube);
     crt_state_begin(s, "TUBE", VERSION);
     grid_state(&tube->desc.grid, s);
     time_state(tube, s);

@@ -27,63 +27,54 @@ static double seconds(void)
 /* ---- running ------------------------------------------------------------------------------------
  */
 
-/* Who may hold the machine, and take it back. */
-struct debugger {
-    struct vm_gdb *gdb;         /* NULL: nobody */
-    struct vm_history *history; /* NULL: no memory for it */
-    struct vm_gdb_past past;
+/* Who has a say in a run. */
+struct run {
+    struct vm_rig *rig;
+    struct vm_terminal *terminal; /* NULL: no --console */
+    struct vm_gdb *gdb;           /* NULL: no --gdb */
+    struct vm_history *history;   /* for the debugger to go back */
 };
 
-static void open_debugger(struct debugger *d, struct vm_gdb *gdb, struct vm_rig *rig)
-{
-    struct crt_error lost;
-    *d = (struct debugger){.gdb = gdb};
-    if (gdb)
-        d->history = vm_history_create(&(struct vm_history_desc){.rig = rig}, &lost);
-}
-
 /* To the end of the firmware or `until`; true when it has ended. A debugger may hold the machine. */
-static bool run_end(struct vm_rig *rig, struct debugger *d, uint64_t until)
+static bool run_end(const struct run *r, uint64_t until)
 {
-    if (!d->gdb)
-        return vm_machine_run_end(rig->machine, until);
-    struct vm_gdb_target target = d->history ? vm_gdb_with_past(&d->past, rig->machine, d->history)
-                                             : vm_gdb_machine(rig->machine);
-    return vm_gdb_run(d->gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
+    if (!r->gdb)
+        return vm_machine_run_end(r->rig->machine, until);
+    struct vm_gdb_past past;
+    struct vm_gdb_target target = vm_gdb_with_past(&past, r->rig->machine, r->history);
+    return vm_gdb_run(r->gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
 }
 
 /* In real time, until the firmware ends, the limit, or who types leaves. */
-static void run_live(struct vm_rig *rig, struct vm_terminal *terminal, struct debugger *debugger,
-                     uint64_t limit)
+static void run_live(const struct run *r, uint64_t limit)
 {
-    struct vm_machine *m = rig->machine;
+    struct vm_machine *m = r->rig->machine;
     double last = seconds();
-    while (m->now < limit && !terminal->left) {
+    while (m->now < limit && !r->terminal->left) {
         double now = seconds(), elapsed = now - last;
         last = now;
         uint64_t ps = (uint64_t)((elapsed < LONGEST_S ? elapsed : LONGEST_S) * 1e12);
-        if (run_end(rig, debugger, limit - m->now < ps ? limit : m->now + ps))
+        if (run_end(r, limit - m->now < ps ? limit : m->now + ps))
             return;
-        vm_terminal_poll(terminal, rig->console, m->now, KEYS_S);
+        vm_terminal_poll(r->terminal, r->rig->console, m->now, KEYS_S);
     }
 }
 
-static void run(struct vm_rig *rig, struct vm_terminal *terminal, struct debugger *debugger,
-                uint64_t limit)
+static void run(const struct run *r, uint64_t limit)
 {
     struct vm_progress progress;
-    if (terminal && terminal->live) {
-        run_live(rig, terminal, debugger, limit);
+    if (r->terminal && r->terminal->live) {
+        run_live(r, limit);
         return;
     }
-    if (debugger->gdb) {
-        while (rig->machine->now < limit && !run_end(rig, debugger, limit))
+    if (r->gdb) {
+        while (r->rig->machine->now < limit && !run_end(r, limit))
             ;
         return;
     }
     vm_progress_begin(&progress);
-    progress.shown &= !terminal;
-    vm_progress_run_end(&progress, rig->machine, limit);
+    progress.shown &= !r->terminal;
+    vm_progress_run_end(&progress, r->rig->machine, limit);
     vm_progress_end(&progress);
 }
 
@@ -169,26 +160,45 @@ static bool open_rig(const struct vm_headless *h, const struct vm_settings *sett
     return false;
 }
 
+/* The terminal, and the debugger with its way back. */
+static bool join(struct run *r, const struct vm_headless *h, struct vm_terminal *terminal,
+                 struct crt_error *err)
+{
+    if (h->console) {
+        if (!vm_terminal_open(terminal, err))
+            return false;
+        r->terminal = terminal;
+        r->rig->console->desc = vm_terminal_console(terminal);
+    }
+    r->gdb = h->gdb;
+    if (r->gdb)
+        r->history = vm_history_create(&(struct vm_history_desc){.rig = r->rig}, err);
+    return !r->gdb || r->history;
+}
+
+static void part(struct run *r)
+{
+    if (r->terminal)
+        vm_terminal_close(r->terminal);
+    vm_history_destroy(r->history);
+}
+
 /* Runs an open rig to its end. False: a sentence, and nothing has run. */
 static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct vm_input *input,
                  uint64_t limit, bool *left, struct crt_error *err)
 {
     struct vm_terminal terminal = {0};
-    struct debugger debugger;
-    if (h->console && !vm_terminal_open(&terminal, err))
-        return false;
-    if (h->console)
-        rig->console->desc = vm_terminal_console(&terminal);
+    struct run r = {.rig = rig};
+    bool ok = join(&r, h, &terminal, err);
     double begin = seconds();
     uint64_t from = rig->machine->now;
-    open_debugger(&debugger, h->gdb, rig);
-    run(rig, h->console ? &terminal : NULL, &debugger, limit);
-    vm_history_destroy(debugger.history);
-    vm_terminal_close(&terminal);
-    if (!h->console && !h->gdb)
+    if (ok)
+        run(&r, limit);
+    part(&r);
+    if (ok && !h->console && !h->gdb)
         say_speed(rig, input, from, seconds() - begin);
     *left = terminal.left || (h->gdb && vm_gdb_killed(h->gdb));
-    return true;
+    return ok;
 }
 
 int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,

@@ -15,25 +15,19 @@ static uint64_t now(void *ctx)
 
 static void run(void *ctx, uint64_t until)
 {
-    struct vm_gdb_past *p = ctx;
-    uint64_t period = vm_history_period(p->history), from;
-    do {
-        from = now(p);
-        uint64_t next = until > from && until - from > period ? from + period : until;
-        p->machine.run(p->machine.ctx, next);
-        vm_history_note(p->history);
-        if (now(p) < next) /* the program has ended */
-            break;
-    } while (now(p) < until && now(p) > from);
+    const struct vm_gdb_past *p = ctx;
+    p->machine.run(p->machine.ctx, until);
 }
 
-/* In one piece: who looks for a place in the past rewinds again to where he began. */
 static bool watch(void *ctx, uint64_t until, const struct rv_hooks *hooks)
 {
-    struct vm_gdb_past *p = ctx;
-    bool stopped = p->machine.watch(p->machine.ctx, until, hooks);
-    vm_history_note(p->history);
-    return stopped;
+    const struct vm_gdb_past *p = ctx;
+    return p->machine.watch(p->machine.ctx, until, hooks);
+}
+
+static void remember(void *ctx)
+{
+    vm_history_note(((struct vm_gdb_past *)ctx)->history);
 }
 
 static bool exited(void *ctx, int *status)
@@ -52,11 +46,8 @@ static size_t read(void *ctx, uint32_t address, uint8_t *bytes, size_t size)
 
 static size_t write(void *ctx, uint32_t address, const uint8_t *bytes, size_t size)
 {
-    struct vm_gdb_past *p = ctx;
-    size_t written = p->machine.write(p->machine.ctx, address, bytes, size);
-    if (written > 0)
-        vm_history_mark(p->history);
-    return written;
+    const struct vm_gdb_past *p = ctx;
+    return p->machine.write(p->machine.ctx, address, bytes, size);
 }
 
 static void changed(void *ctx)
@@ -68,7 +59,11 @@ static void changed(void *ctx)
 
 static bool rewind_to(void *ctx, uint64_t cycle)
 {
-    return vm_history_rewind(((struct vm_gdb_past *)ctx)->history, cycle);
+    struct vm_gdb_past *p = ctx;
+    const struct vm_machine *m = p->machine.ctx;
+    if (m->desc.tube)
+        crt_tube_cancel_films(m->desc.tube);
+    return vm_history_rewind(p->history, cycle);
 }
 
 static uint64_t time_of(void *ctx, uint64_t cycle)
@@ -111,6 +106,7 @@ struct vm_gdb_target vm_gdb_with_past(struct vm_gdb_past *past, struct vm_machin
     target.exited = exited;
     target.read = read;
     target.write = write;
+    target.remember = remember;
     target.changed = changed;
     target.monitor = monitor;
     target.rewind = rewind_to;

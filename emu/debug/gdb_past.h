@@ -1,11 +1,11 @@
 /* gdb_past.h — the machine as the debugger's target, with its past: reverse-step, reverse-continue.
  *
- *      session ─▶ run, watch ─▶ machine, and a look at the history whether a snapshot is due
- *              ─▶ write, registers ─▶ machine, and a mark: that came from outside
+ *      session ─▶ remember ─▶ history: a snapshot, when one is due
+ *              ─▶ changed ─▶ a mark: registers or memory were written from outside
  *              ─▶ rewind ─▶ history
  *
- * Models:     the target of gdb_machine.h, whose every run is remembered.
- * Films:      that are open on the tube are cancelled when the client goes back.
+ * Models:     the target of gdb_machine.h; what happens while a client is there is remembered.
+ * Films:      those that are open on the tube when the client goes back are given up.
  * Ownership:  the struct is the caller's, as are machine and history; all must outlive the target.
  * Errors:     as gdb_machine.h and history.h.
  */

@@ -27,25 +27,12 @@ static bool get(const struct vm_gdb_session *s, uint32_t number, uint32_t *value
     return true;
 }
 
-static bool put_pc(struct vm_gdb_session *s, uint32_t pc)
+bool vm_gdb_set_pc(struct vm_gdb_session *s, uint32_t pc)
 {
     if (pc % 4 != 0)
         return false;
     s->target.cpu->pc = pc;
-    return true;
-}
-
-static void tell_changed(struct vm_gdb_session *s)
-{
-    if (s->target.changed)
-        s->target.changed(s->target.ctx);
-}
-
-bool vm_gdb_set_pc(struct vm_gdb_session *s, uint32_t pc)
-{
-    if (!put_pc(s, pc))
-        return false;
-    tell_changed(s);
+    s->changed = true;
     return true;
 }
 
@@ -54,7 +41,8 @@ static bool set(struct vm_gdb_session *s, uint32_t number, uint32_t value)
 {
     struct rv_cpu *cpu = s->target.cpu;
     if (number == PC)
-        return put_pc(s, value);
+        return vm_gdb_set_pc(s, value);
+    s->changed = true;
     if (number >= FIRST_CSR)
         return number - FIRST_CSR < vm_gdb_csr_count &&
                rv_csr_write(cpu, vm_gdb_csrs[number - FIRST_CSR], value);
@@ -97,7 +85,6 @@ void vm_gdb_write_all(struct vm_gdb_session *s, struct vm_gdb_fields *f)
     }
     for (uint32_t i = 0; i < ALL; i++)
         set(s, i, word_of(bytes + 4 * i));
-    tell_changed(s);
     vm_gdb_say(s, "OK");
 }
 
@@ -119,7 +106,5 @@ void vm_gdb_write_one(struct vm_gdb_session *s, struct vm_gdb_fields *f)
     uint8_t bytes[4];
     bool ok = vm_gdb_take_number(f, &number) && vm_gdb_take(f, '=') && vm_gdb_left(f) == 8 &&
               vm_gdb_take_bytes(f, bytes, sizeof bytes) && set(s, number, word_of(bytes));
-    if (ok)
-        tell_changed(s);
     vm_gdb_ok(s, ok, VM_GDB_MALFORMED);
 }

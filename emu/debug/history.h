@@ -68,6 +68,5 @@ struct vm_history_extent {
     uint64_t oldest; /* ps */
 };
 struct vm_history_extent vm_history_extent(const struct vm_history *h);
-uint64_t vm_history_period(const struct vm_history *h);
 
 #endif

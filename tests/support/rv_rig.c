@@ -11,7 +11,7 @@ static bool access_device(struct rig *r, uint32_t address, unsigned width, bool 
     r->cycle = r->cpu.cycle;
     r->accesses++;
     if (r->raises >= 0)
-        rv_set_interrupt(&r->cpu, r->raises, true);
+        rv_set_interrupt(&r->cpu, r->raises, address != RIG_DROPS);
     if (r->attention)
         rv_attention(&r->cpu);
     return true;

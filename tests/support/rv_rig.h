@@ -27,6 +27,7 @@
 #define RIG_SIZE   0x10000u
 #define RIG_DEVICE 0x10000000u
 #define RIG_PORTS  16u
+#define RIG_DROPS  (RIG_DEVICE + 4 * (RIG_PORTS - 1)) /* drops the line that others raise */
 
 /* CSRs that tests use. */
 enum {
