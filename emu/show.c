@@ -68,7 +68,7 @@ static void expose(struct vm_show *show, uint64_t until)
     show->film_ready = film->complete || crt_film_end(show->program->rig.tube, film);
     if (show->film_ready) {
         crt_glass_film(show->glass, film, &show->program->settings.phosphor);
-    } else if (m->now == from) { /* it stands: what was gathered before is what there is to see */
+    } else if (m->now <= from) { /* it stands, or has gone back: what was gathered before stays */
         *film = before;
         show->film_ready = film->complete;
     }

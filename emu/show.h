@@ -15,6 +15,7 @@
 #define EMU_SHOW_H
 
 #include "emu/debug/gdb_server.h"
+#include "emu/debug/gdb_past.h"
 #include "emu/debug/history.h"
 #include "emu/hud.h"
 #include "emu/picture.h"
@@ -53,6 +54,7 @@ struct vm_shown {
     struct vm_rig rig;
     struct crt_film film;
     struct vm_history *history; /* NULL: no memory for it, or there is nothing to step by */
+    struct vm_gdb_past past;    /* a debugger's way to it */
 };
 
 struct vm_show {

@@ -162,11 +162,6 @@ struct vm_history_extent vm_history_extent(const struct vm_history *h)
     return (struct vm_history_extent){h->count, h->used, h->count ? h->at[0].place.now : 0};
 }
 
-uint64_t vm_history_period(const struct vm_history *h)
-{
-    return h->period;
-}
-
 /* ---- going back -------------------------------------------------------------------------------- */
 
 /* Snapshot i again, and nothing after it. */

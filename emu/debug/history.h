@@ -13,7 +13,7 @@
  *             it between runs, as often as convenient.
  * Memory:     below the budget; when it is full, the snapshot goes whose gap is smallest for its
  *             age, so that the spacing grows with age.
- * Films:      none may be open on the rig's tube when going back.
+ * Films:      that are open on the rig's tube are cancelled by going back.
  * Ownership:  vm_history_create allocates, vm_history_destroy frees; the rig must outlive it.
  * Errors:     one sentence. Out of memory: there is less history.
  */
@@ -68,6 +68,5 @@ struct vm_history_extent {
     uint64_t oldest; /* ps */
 };
 struct vm_history_extent vm_history_extent(const struct vm_history *h);
-uint64_t vm_history_period(const struct vm_history *h);
 
 #endif
