@@ -44,10 +44,9 @@ static void run_machine(struct vm_show *show, uint64_t until)
     struct vm_machine *m = show->program->rig.machine;
     struct vm_gdb *gdb = show->desc->gdb;
     if (gdb && m->desc.board) {
-        struct vm_gdb_past past;
-        struct vm_history *history = show->program->history;
+        struct vm_shown *p = show->program;
         struct vm_gdb_target target =
-            history ? vm_gdb_with_past(&past, m, history) : vm_gdb_machine(m);
+            p->history ? vm_gdb_with_past(&p->past, m, p->history) : vm_gdb_machine(m);
         if (vm_gdb_run(gdb, &target, until, DEBUGGER_MS) != VM_GDB_OVER)
             return;
         show->quit |= vm_gdb_killed(gdb);
