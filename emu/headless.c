@@ -78,6 +78,17 @@ static void run(const struct run *r, uint64_t limit)
     vm_progress_end(&progress);
 }
 
+/* What the UART still holds when the firmware is lost or ends itself: it was meant to be read. */
+static void drain(struct vm_rig *rig)
+{
+    for (int events = 0; events < 4 * VM_UART_FIFO; events++) {
+        uint64_t next = vm_uart_next(&rig->board->uart);
+        if (next == VM_NEVER)
+            return;
+        vm_machine_run(rig->machine, next + 1);
+    }
+}
+
 /* ---- the outcome --------------------------------------------------------------------------------
  */
 
@@ -186,6 +197,8 @@ static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct v
     uint64_t from = rig->machine->now;
     if (ok)
         run(&r, limit);
+    if (ok && h->console)
+        drain(rig);
     part(&r);
     if (ok && !h->console && !h->gdb)
         say_speed(rig, input, from, seconds() - begin);
