@@ -142,7 +142,7 @@ coverage-run: $(REPLAY_BINS) $(TEST_BINS)
 	@tests/coverage.sh $(O) $(REPLAY_BINS) -- $(TEST_BINS)
 .PHONY: coverage-run
 
-bench: deps-run
+bench: deps-test
 	@$(MAKE) $(JOBS) --no-print-directory all $(BENCH_BINS)
 	@tests/bench.sh $(BENCH_BINS)
 
@@ -151,6 +151,8 @@ pictures: all
 	@mkdir -p roms/pictures
 	./kinescope capture roms/lander.df --at 0.7s --size 640x640 -o roms/pictures/lander.png
 	./kinescope capture roms/radar.df --at 11s --size 640x640 -o roms/pictures/radar.png
+	./kinescope capture roms/clock.elf --at 0.7s --size 640x640 -o roms/pictures/clock.png
+	./kinescope capture roms/village.df --at 0.7s --size 640x640 -o roms/pictures/village.png
 
 golden: all
 	@tests/golden.sh --regenerate ./kinescope
@@ -165,7 +167,7 @@ headers:
 	    $(CC) $(CFLAGS) -x c -fsyntax-only - || exit 1; done
 
 format:
-	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) $(EMU_PARTS) tests/* roms roms/*) crt/*.inc emu/cpu/*.inc)
+	clang-format -i $(wildcard $(addsuffix /*.[ch],$(FOLDERS) $(EMU_PARTS) tests/* tests/*/* roms roms/*) crt/*.inc emu/cpu/*.inc)
 
 FUZZ_SECONDS ?= 60
 fuzz:

@@ -53,6 +53,12 @@ void crt_film_cancel(struct crt_tube *tube, struct crt_film *film)
         }
 }
 
+void crt_tube_cancel_films(struct crt_tube *tube)
+{
+    while (tube->films)
+        crt_film_cancel(tube, tube->films);
+}
+
 bool crt_film_end(struct crt_tube *tube, struct crt_film *film)
 {
     const struct crt_film *open = tube->films;

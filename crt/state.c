@@ -4,7 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define PAGE 4096u
+#define PAGE    4096u
+#define NO_PAGE UINT32_MAX /* ends the list of pages */
 
 /* ---- beginning and end ------------------------------------------------------------------------ */
 
@@ -250,10 +251,7 @@ static uint8_t *page_of(const struct memory *m, size_t at, uint8_t room[PAGE])
 static void save_pages(struct crt_state *s, const struct memory *m)
 {
     uint8_t room[PAGE];
-    uint32_t count = 0;
-    for (size_t at = 0; at < m->size; at += PAGE)
-        count += !is_dark(m, at);
-    crt_state_u32(s, &count);
+    uint32_t end = NO_PAGE;
     for (size_t at = 0; at < m->size; at += PAGE) {
         uint32_t index = (uint32_t)(at / PAGE);
         if (is_dark(m, at))
@@ -261,35 +259,48 @@ static void save_pages(struct crt_state *s, const struct memory *m)
         crt_state_u32(s, &index);
         crt_state_bytes(s, page_of(m, at, room), page_size(m, at));
     }
+    crt_state_u32(s, &end);
+}
+
+/* What is dark already is not written: the host need not provide memory for it. */
+static void darken(const struct memory *m, size_t from, size_t to)
+{
+    for (size_t at = from; at < to && at < m->size; at += PAGE)
+        if (!is_dark(m, at))
+            memset(m->bytes ? (void *)(m->bytes + at) : m->words + at / 2, 0, page_size(m, at));
+}
+
+static void load_page(struct crt_state *s, const struct memory *m, size_t at)
+{
+    size_t size = page_size(m, at);
+    const uint8_t *from = take(s, size);
+    if (from && m->bytes)
+        memcpy(m->bytes + at, from, size);
+    for (size_t i = 0; from && !m->bytes && i < size; i += 2)
+        m->words[(at + i) / 2] = (uint16_t)got(from + i, 2);
 }
 
 /* Pages come in order, each once. */
 static void load_pages(struct crt_state *s, const struct memory *m)
 {
-    uint32_t count = 0, index = 0;
-    size_t after = 0, pages = m->size / PAGE + (m->size % PAGE != 0);
-    if (m->bytes)
-        memset(m->bytes, 0, m->size);
-    else
-        memset(m->words, 0, m->size);
-    crt_state_u32(s, &count);
-    for (; count > 0 && !s->failed; count--) {
+    size_t after = 0;
+    for (uint32_t index = 0; !s->failed;) {
         crt_state_u32(s, &index);
-        if (!crt_state_check(s, index >= after && index < pages, "memory"))
-            return;
-        after = (size_t)index + 1;
-        size_t at = (size_t)index * PAGE, size = page_size(m, at);
-        const uint8_t *from = take(s, size);
-        if (from && m->bytes)
-            memcpy(m->bytes + at, from, size);
-        for (size_t i = 0; from && !m->bytes && i < size; i += 2)
-            m->words[(at + i) / 2] = (uint16_t)got(from + i, 2);
+        if (s->failed || index == NO_PAGE)
+            break;
+        size_t at = (size_t)index * PAGE;
+        if (!crt_state_check(s, at >= after && at < m->size, "memory"))
+            break;
+        darken(m, after, at);
+        load_page(s, m, at);
+        after = at + PAGE;
     }
+    darken(m, after, m->size);
 }
 
 static void all_pages(struct crt_state *s, const struct memory *m)
 {
-    assert(m->size / PAGE < UINT32_MAX);
+    assert(m->size / PAGE < NO_PAGE);
     if (s->loading)
         load_pages(s, m);
     else

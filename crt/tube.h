@@ -99,6 +99,7 @@ void crt_film_free(struct crt_film *film);
  * or until crt_film_cancel(). */
 void crt_film_open(struct crt_tube *tube, struct crt_film *film, uint64_t t0, uint64_t t1);
 void crt_film_cancel(struct crt_tube *tube, struct crt_film *film);
+void crt_tube_cancel_films(struct crt_tube *tube); /* all that are open */
 /* Ends an open film at the `now` of the last advance: it is complete, with that t1. False when it is
  * not open, or when that is not after t0; it is not open then, and not complete. */
 bool crt_film_end(struct crt_tube *tube, struct crt_film *film);
@@ -121,8 +122,8 @@ struct crt_tube_totals crt_tube_totals(const struct crt_tube *tube);
 
 /* All that future light depends on, as of the last advance and with the strokes delivered since:
  * a tube of the same desc (knobs, threads and kernels aside) that loads it goes on to the same
- * samples. Films are observers and no part of it; none may be open when loading. A tube whose
- * loading failed is fit to be loaded again or destroyed, for nothing else. */
+ * samples. Films are observers and no part of it; loading cancels those that are open, as time is
+ * another. A tube whose loading failed is fit to be loaded again or destroyed, for nothing else. */
 void crt_tube_state(struct crt_tube *tube, struct crt_state *s);
 
 /* The `now` of the last advance, and when the last stroke began. */

@@ -4,7 +4,7 @@
 #include <time.h>
 
 #include "emu/command.h"
-#include "emu/debug/gdb_machine.h"
+#include "emu/debug/gdb_past.h"
 #include "emu/moment.h"
 #include "emu/progress.h"
 #include "emu/rig.h"
@@ -27,57 +27,76 @@ static double seconds(void)
 /* ---- running ------------------------------------------------------------------------------------
  */
 
+/* Who has a say in a run. */
+struct run {
+    struct vm_rig *rig;
+    struct vm_terminal *terminal; /* NULL: no --console */
+    struct vm_gdb *gdb;           /* NULL: no --gdb */
+    struct vm_history *history;   /* for the debugger to go back */
+};
+
 /* To the end of the firmware or `until`; true when it has ended. A debugger may hold the machine. */
-static bool run_end(struct vm_rig *rig, struct vm_gdb *gdb, uint64_t until)
+static bool run_end(const struct run *r, uint64_t until)
 {
-    if (!gdb)
-        return vm_machine_run_end(rig->machine, until);
-    struct vm_gdb_target target = vm_gdb_machine(rig->machine);
-    return vm_gdb_run(gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
+    if (!r->gdb)
+        return vm_machine_run_end(r->rig->machine, until);
+    struct vm_gdb_past past;
+    struct vm_gdb_target target = vm_gdb_with_past(&past, r->rig->machine, r->history);
+    return vm_gdb_run(r->gdb, &target, until, DEBUGGER_MS) == VM_GDB_OVER;
 }
 
 /* In real time, until the firmware ends, the limit, or who types leaves. */
-static void run_live(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb *gdb,
-                     uint64_t limit)
+static void run_live(const struct run *r, uint64_t limit)
 {
-    struct vm_machine *m = rig->machine;
+    struct vm_machine *m = r->rig->machine;
     double last = seconds();
-    while (m->now < limit && !terminal->left) {
+    while (m->now < limit && !r->terminal->left) {
         double now = seconds(), elapsed = now - last;
         last = now;
         uint64_t ps = (uint64_t)((elapsed < LONGEST_S ? elapsed : LONGEST_S) * 1e12);
-        if (run_end(rig, gdb, limit - m->now < ps ? limit : m->now + ps))
+        if (run_end(r, limit - m->now < ps ? limit : m->now + ps))
             return;
-        vm_terminal_poll(terminal, rig->console, m->now, KEYS_S);
+        vm_terminal_poll(r->terminal, r->rig->console, m->now, KEYS_S);
     }
 }
 
-static void run(struct vm_rig *rig, struct vm_terminal *terminal, struct vm_gdb *gdb,
-                uint64_t limit)
+static void run(const struct run *r, uint64_t limit)
 {
     struct vm_progress progress;
-    if (terminal && terminal->live) {
-        run_live(rig, terminal, gdb, limit);
+    if (r->terminal && r->terminal->live) {
+        run_live(r, limit);
         return;
     }
-    if (gdb) {
-        while (rig->machine->now < limit && !run_end(rig, gdb, limit))
+    if (r->gdb) {
+        while (r->rig->machine->now < limit && !run_end(r, limit))
             ;
         return;
     }
     vm_progress_begin(&progress);
-    progress.shown &= !terminal;
-    vm_progress_run_end(&progress, rig->machine, limit);
+    progress.shown &= !r->terminal;
+    vm_progress_run_end(&progress, r->rig->machine, limit);
     vm_progress_end(&progress);
+}
+
+/* What the UART still holds when the firmware is lost or ends itself: it was meant to be read. */
+static void drain(struct vm_rig *rig)
+{
+    for (int events = 0; events < 4 * VM_UART_FIFO; events++) {
+        uint64_t next = vm_uart_next(&rig->board->uart);
+        if (next == VM_NEVER)
+            return;
+        vm_machine_run(rig->machine, next + 1);
+    }
 }
 
 /* ---- the outcome --------------------------------------------------------------------------------
  */
 
-static void say_speed(const struct vm_rig *rig, const struct vm_input *input, double took)
+static void say_speed(const struct vm_rig *rig, const struct vm_input *input, uint64_t from,
+                      double took)
 {
     const struct vm_machine *m = rig->machine;
-    double simulated = (double)m->now / (double)CRT_PS_PER_S;
+    double simulated = (double)(m->now - from) / (double)CRT_PS_PER_S;
     fprintf(
         stderr,
         "%s: %.6g simulated seconds in %.3g s, %.0f simulated seconds a second; %llu words, %llu "
@@ -129,38 +148,80 @@ static int outcome(const struct vm_rig *rig, const struct vm_input *input, bool 
     return vm_find_trouble(rig->machine, input, err) ? VM_EXIT_TROUBLE : VM_EXIT_OK;
 }
 
+/* ---- all of it ----------------------------------------------------------------------------------
+ */
+
+static bool open_rig(const struct vm_headless *h, const struct vm_settings *settings,
+                     const struct vm_input *input, struct vm_rig *rig, struct crt_error *err)
+{
+    struct crt_tube_desc tube = vm_settings_tube(settings);
+    if (!vm_rig_open(rig, settings, input, DF_TIMING_VALUE, h->saved.save ? &tube : NULL, err))
+        return false;
+    if (vm_saved_load(&h->saved, rig, settings, input, err))
+        return true;
+    vm_rig_close(rig);
+    return false;
+}
+
+/* The terminal, and the debugger with its way back. */
+static bool join(struct run *r, const struct vm_headless *h, struct vm_terminal *terminal,
+                 struct crt_error *err)
+{
+    if (h->console) {
+        if (!vm_terminal_open(terminal, err))
+            return false;
+        r->terminal = terminal;
+        r->rig->console->desc = vm_terminal_console(terminal);
+    }
+    r->gdb = h->gdb;
+    if (r->gdb)
+        r->history = vm_history_create(&(struct vm_history_desc){.rig = r->rig}, err);
+    return !r->gdb || r->history;
+}
+
+static void part(struct run *r)
+{
+    if (r->terminal)
+        vm_terminal_close(r->terminal);
+    vm_history_destroy(r->history);
+}
+
+/* Runs an open rig to its end. False: a sentence, and nothing has run. */
+static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct vm_input *input,
+                 uint64_t limit, bool *left, struct crt_error *err)
+{
+    struct vm_terminal terminal = {0};
+    struct run r = {.rig = rig};
+    bool ok = join(&r, h, &terminal, err);
+    double begin = seconds();
+    uint64_t from = rig->machine->now;
+    if (ok)
+        run(&r, limit);
+    if (ok && h->console)
+        drain(rig);
+    part(&r);
+    if (ok && !h->console && !h->gdb)
+        say_speed(rig, input, from, seconds() - begin);
+    *left = terminal.left || (h->gdb && vm_gdb_killed(h->gdb));
+    return ok;
+}
+
 int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,
                 const struct vm_input *input, struct crt_error *err)
 {
     struct vm_rig rig;
-    struct vm_terminal terminal;
-    uint64_t limit = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
-    if (h->length.given && !vm_time_ps(&h->length, settings->tick, &limit, err))
+    bool left = false;
+    uint64_t length = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
+    int status;
+    if (h->length.given && !vm_time_ps(&h->length, settings->tick, &length, err))
         return VM_EXIT_USAGE;
-    if (h->console && !input->has_firmware) {
-        crt_fail(err, "--console: %s has no firmware that would use it", input->name);
-        return VM_EXIT_USAGE;
-    }
-    if (h->gdb && !input->has_firmware) {
-        crt_fail(err, "--gdb: %s has no firmware to debug", input->name);
-        return VM_EXIT_USAGE;
-    }
-    if (!vm_rig_open(&rig, settings, input, DF_TIMING_VALUE, NULL, err))
+    if (!open_rig(h, settings, input, &rig, err))
         return VM_EXIT_TROUBLE;
-    if (h->console && !vm_terminal_open(&terminal, err)) {
-        vm_rig_close(&rig);
-        return VM_EXIT_TROUBLE;
-    }
-    if (h->console)
-        rig.console->desc = vm_terminal_console(&terminal);
-    double begin = seconds();
-    run(&rig, h->console ? &terminal : NULL, h->gdb, limit);
-    if (h->console)
-        vm_terminal_close(&terminal);
-    else if (!h->gdb)
-        say_speed(&rig, input, seconds() - begin);
-    bool left = (h->console && terminal.left) || (h->gdb && vm_gdb_killed(h->gdb));
-    int status = outcome(&rig, input, left, err);
+    if (!play(h, &rig, input, rig.machine->now + length, &left, err) ||
+        !vm_saved_save(&h->saved, &rig, settings, input, err))
+        status = VM_EXIT_TROUBLE;
+    else
+        status = outcome(&rig, input, left, err);
     vm_rig_close(&rig);
     return status;
 }

@@ -5,6 +5,7 @@
  *      firmware, console a terminal the same, in real time: somebody types
  *      firmware, with a debugger    the same, when and as the debugger lets it
  *
+ * Light:       is computed only where a snapshot is to be saved.
  * Exit status: the firmware's own; 0 for a display file that is well; 1 trouble; 2 usage; 3 when
  *              --for was over before the firmware had ended itself.
  * Ownership:   nothing is kept.
@@ -15,12 +16,14 @@
 
 #include "emu/debug/gdb_server.h"
 #include "emu/input_file.h"
+#include "emu/saved.h"
 #include "emu/settings.h"
 
 struct vm_headless {
     bool console; /* the UART is stdin and stdout */
     struct vm_time length;
     struct vm_gdb *gdb; /* a debugger may come here; NULL: none */
+    struct vm_saved_options saved;
 };
 
 int vm_headless(const struct vm_headless *headless, const struct vm_settings *settings,

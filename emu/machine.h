@@ -157,9 +157,9 @@ void vm_machine_step(struct vm_machine *m);
 /* The firmware has ended itself; with which exit status. */
 bool vm_machine_exited(const struct vm_machine *m, int *status);
 
-/* All of the machine but its tube, between two events: board and console, too. When the machine has a tube, that must have
- * been loaded before, and belong to the same instant. A machine whose loading failed is fit to be
- * initialised or loaded again, for nothing else. */
+/* All of the machine but its tube, between two events: board and console, too. When the machine has
+ * a tube, that must have been loaded before, and belong to the same instant. A machine whose loading
+ * failed is fit to be initialised or loaded again, for nothing else. */
 void vm_machine_state(struct vm_machine *m, struct crt_state *s);
 
 #endif

@@ -138,9 +138,12 @@ static bool sane_lines(const struct vm_machine *m)
 static bool sane_processor(const struct vm_machine *m)
 {
     const struct vm_board *b = m->desc.board;
-    if (!b || b->cpu.state == RV_HALTED || b->finisher.done)
+    if (!b)
         return true;
-    return b->cpu.cycle <= vm_board_cycle(b, m->now) && vm_board_next(b) >= m->now;
+    if (vm_board_next(b) < m->now)
+        return false;
+    return b->cpu.state == RV_HALTED || b->finisher.done ||
+           b->cpu.cycle == vm_board_cycle(b, m->now);
 }
 
 /* The tube has seen all that was drawn and nothing more. */

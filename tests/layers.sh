@@ -22,6 +22,10 @@ bad=$(
     allowed emu/debug 'emu|display_file|crt'
     grep -rnE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' roms --include='*.[chS]' 2>/dev/null |
         grep -vE '"(roms/|[a-z_/]*_regs\.h|emu/memmap\.h)' || true
+    # What the tools of emu/debug look into does not know of them: only front ends do.
+    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"emu/debug/' emu/machine*.[ch] emu/rig.[ch] \
+        emu/settings.[ch] emu/input_file.[ch] emu/console.[ch] emu/refresh.[ch] emu/flow.[ch] emu/trouble.[ch] \
+        emu/moment.[ch] emu/terminal.[ch] emu/trace_lines.[ch] emu/out_file.[ch] 2>/dev/null || true
     # A path that goes up hides where it leads.
     grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"[^"]*\.\./' ./*/*.[ch] ./*/*.inc ./emu/*/*.[ch] ./emu/*/*.inc 2>/dev/null |
         sed 's|^\./||' || true

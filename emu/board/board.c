@@ -227,7 +227,7 @@ struct vm_board *vm_board_create(struct crt_rate clock, const struct vm_uart_out
     if (!b || !memory || !init_processor(b)) {
         free(memory);
         free(b);
-        crt_fail(err, "out of memory for the processor's board; close other programs.");
+        crt_fail(err, "out of memory for the processor's board; close other programs");
         return NULL;
     }
     b->clock = clock;

@@ -26,14 +26,36 @@ static void stroke_fields(struct crt_state *s, struct crt_stroke stroke)
     crt_state_u32(s, &stroke.source);
 }
 
+static void segment_fields(struct crt_state *s, struct vm_elf_segment segment)
+{
+    crt_state_u32(s, &segment.address);
+    crt_state_u32(s, &segment.memory_size);
+    crt_state_bool(s, &segment.writable);
+    crt_state_u32(s, &segment.file_size);
+    crt_state_bytes(s, (uint8_t *)segment.bytes, segment.file_size); /* saving: only read */
+}
+
+static void firmware_fields(struct crt_state *s, const struct vm_elf *given)
+{
+    uint32_t entry = given->entry;
+    crt_state_u32(s, &entry);
+    for (int i = 0; i < given->segments; i++)
+        segment_fields(s, given->segment[i]);
+}
+
 static void program_fields(struct crt_state *s, const struct vm_input *input)
 {
-    bool recording = input->is_recording;
+    bool recording = input->is_recording, firmware = input->has_firmware;
+    bool display = input->program.words != NULL;
     uint32_t entry = input->program.entry;
     crt_state_bool(s, &recording);
+    crt_state_bool(s, &firmware);
+    crt_state_bool(s, &display);
     for (size_t i = 0; recording && i < input->count; i++)
         stroke_fields(s, input->strokes[i]);
-    if (recording)
+    if (firmware)
+        firmware_fields(s, &input->elf);
+    if (!display)
         return;
     crt_state_u32(s, &entry);
     crt_state_word_pages(s, input->program.words, DF_MEMORY_BYTES / 2);
@@ -76,6 +98,8 @@ static void machine_fields(struct crt_state *s, const struct vm_machine_desc *de
     crt_state_u32(s, &memory_bytes);
     crt_state_u8(s, &on_stop);
     rate_fields(s, desc->tick);
+    if (desc->board)
+        rate_fields(s, desc->board->clock);
 }
 
 static bool finish(struct crt_state *s, uint8_t hash[VM_CONFIG_HASH], struct crt_error *err)

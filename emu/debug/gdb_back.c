@@ -5,7 +5,8 @@
  *        │  2. rewind again, run to it ◀────────┘      none: the same from the moment kept before
  *
  * The machine is deterministic, so what is executed again is what was executed. A watchpoint stops
- * before the access, as its effect has been undone.
+ * after the access, also where the processor is already: gdb goes back over that by itself, as on the
+ * way forward it steps over it.
  */
 #include "emu/debug/gdb_parts.h"
 
@@ -15,7 +16,7 @@ struct search {
     struct vm_gdb_session *s;
     bool any; /* instruction will do */
     bool found, reaching;
-    uint64_t cycle; /* of what was found */
+    uint64_t cycle; /* where what was found stops */
     struct vm_gdb_stop stop, access;
 };
 
@@ -51,9 +52,8 @@ static void look_after(void *ctx, struct rv_cpu *cpu, uint32_t pc, uint32_t word
     struct search *search = ctx;
     (void)pc;
     (void)word;
-    /* One instruction a clock: it began a cycle ago. */
     if (search->reaching && !trapped)
-        find(search, cpu->cycle - 1, &search->access);
+        find(search, cpu->cycle, &search->access);
 }
 
 static bool at_cycle(void *ctx, struct rv_cpu *cpu)
@@ -97,6 +97,7 @@ bool vm_gdb_go_back(struct vm_gdb_session *s)
         s->run.goal = t->cpu->cycle;
         return false;
     }
+    s->reported_cycle = UINT64_MAX;
     const struct rv_hooks hooks = {&search.cycle, at_cycle, NULL, NULL};
     t->watch(t->ctx, t->time(t->ctx, search.cycle + 1), &hooks);
     s->run.stop = search.stop;

@@ -62,6 +62,7 @@ static void write_bytes(struct vm_gdb_session *s, uint32_t address, const uint8_
                         uint32_t length)
 {
     size_t size = s->target.write(s->target.ctx, address, bytes, length);
+    s->changed |= size > 0;
     vm_gdb_ok(s, size == length, VM_GDB_NO_MEMORY);
 }
 
@@ -273,6 +274,7 @@ void vm_gdb_session_begin(struct vm_gdb_session *s, const struct vm_gdb_target *
     s->target = *target;
     s->acks = true;
     s->stop.value = VM_GDB_SIGTRAP;
+    s->reported_cycle = UINT64_MAX;
     vm_gdb_receiver_init(&s->in);
     vm_gdb_points_clear(&s->points);
 }

@@ -32,6 +32,7 @@ bool vm_gdb_set_pc(struct vm_gdb_session *s, uint32_t pc)
     if (pc % 4 != 0)
         return false;
     s->target.cpu->pc = pc;
+    s->changed = true;
     return true;
 }
 
@@ -41,6 +42,7 @@ static bool set(struct vm_gdb_session *s, uint32_t number, uint32_t value)
     struct rv_cpu *cpu = s->target.cpu;
     if (number == PC)
         return vm_gdb_set_pc(s, value);
+    s->changed = true;
     if (number >= FIRST_CSR)
         return number - FIRST_CSR < vm_gdb_csr_count &&
                rv_csr_write(cpu, vm_gdb_csrs[number - FIRST_CSR], value);

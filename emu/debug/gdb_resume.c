@@ -44,21 +44,30 @@ bool vm_gdb_reaches(const struct vm_gdb_points *points, const struct rv_cpu *cpu
     return true;
 }
 
+/* gdb expects of RISC-V that a watchpoint stops before the access: it steps over that without the
+ * watchpoint, and looks then. A client that goes on as it is gets past the access, too. */
+static bool at_watch(struct vm_gdb_session *s, const struct rv_cpu *cpu)
+{
+    bool reported = cpu->cycle == s->reported_cycle && cpu->pc == s->reported_pc;
+    if (s->points.watches == 0 || reported || !vm_gdb_reaches(&s->points, cpu, &s->run.stop))
+        return false;
+    s->reported_cycle = cpu->cycle;
+    s->reported_pc = cpu->pc;
+    return true;
+}
+
 static bool before(void *ctx, struct rv_cpu *cpu)
 {
     struct vm_gdb_session *s = ctx;
     struct vm_gdb_run *run = &s->run;
-    if (run->reached)
-        return true;
     if (step_done(run, cpu->pc))
         return stop(run, VM_GDB_BY_SIGNAL, VM_GDB_SIGTRAP);
     /* A step executes the instruction it stands on, breakpoint or not. */
     bool stepping_off = run->first && run->depth == 0 && run->how != VM_GDB_CONTINUE;
-    if (!stepping_off && at_break(s, cpu->pc))
+    if ((!stepping_off && at_break(s, cpu->pc)) || at_watch(s, cpu))
         return true;
     if (run->depth == 0)
         run->first = false;
-    run->reaching = s->points.watches > 0 && vm_gdb_reaches(&s->points, cpu, &run->stop);
     return false;
 }
 
@@ -71,8 +80,6 @@ static void after(void *ctx, struct rv_cpu *cpu, uint32_t pc, uint32_t word, boo
         run->depth++;
     else if (run->depth > 0 && word == MRET)
         run->depth--;
-    run->reached = run->reaching && !trapped;
-    run->reaching = false;
 }
 
 static void interrupt(void *ctx, struct rv_cpu *cpu, uint32_t cause)
@@ -128,7 +135,7 @@ static bool go_on(struct vm_gdb_session *s, uint64_t until)
         t->run(t->ctx, until);
     else if (t->watch(t->ctx, until, &hooks))
         return true;
-    return ended(s) || s->run.reached;
+    return ended(s);
 }
 
 bool vm_gdb_goes_back(const struct vm_gdb_session *s)
@@ -146,8 +153,13 @@ void vm_gdb_session_run(struct vm_gdb_session *s, uint64_t until)
     if (until > now && until - now > t->slice)
         until = now + t->slice;
     bool stopped = s->interrupted && stop(&s->run, VM_GDB_BY_SIGNAL, VM_GDB_SIGINT);
-    if (!stopped)
-        stopped = vm_gdb_goes_back(s) ? vm_gdb_go_back(s) : go_on(s, until);
+    if (!stopped && vm_gdb_goes_back(s)) {
+        stopped = vm_gdb_go_back(s);
+    } else if (!stopped) {
+        stopped = go_on(s, until);
+        if (t->remember)
+            t->remember(t->ctx);
+    }
     if (!stopped)
         return;
     s->state = VM_GDB_STOPPED;
@@ -239,6 +251,9 @@ static void begin(struct vm_gdb_session *s, enum vm_gdb_how how)
     s->run = (struct vm_gdb_run){.how = how, .first = true, .goal = s->target.cpu->cycle};
     s->interrupted = false;
     s->state = VM_GDB_RUNNING;
+    if (s->changed && s->target.changed)
+        s->target.changed(s->target.ctx);
+    s->changed = false;
 }
 
 /* c, C, s, S: signals mean nothing to a program without an operating system. */

@@ -57,8 +57,6 @@ struct vm_gdb_run {
     uint32_t low, high; /* STEP_RANGE: goes on while pc is in [low, high) */
     bool first;         /* the first instruction has not begun */
     unsigned depth;     /* handlers entered by interrupts, and not left */
-    bool reaching;      /* the instruction about to be executed reaches a watched byte … */
-    bool reached;       /* … and one has. `stop` says which */
     struct vm_gdb_stop stop;
     uint64_t goal; /* BACK, STEP_BACK: stop at an instruction begun before this clock */
 };
@@ -72,7 +70,10 @@ struct vm_gdb_session {
     bool says_soft, says_hard; /* the client knows these reasons to stop */
     bool step_into;            /* interrupt handlers */
     bool interrupted;          /* the client asked for a stop */
+    bool changed;              /* registers or memory, by the client, since it last ran */
     struct vm_gdb_stop stop;   /* the last one */
+    uint64_t reported_cycle;   /* the access that a watchpoint last stopped before */
+    uint32_t reported_pc;
     struct vm_gdb_run run;
     struct vm_gdb_points points;
     struct vm_gdb_receiver in;

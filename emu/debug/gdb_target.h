@@ -37,6 +37,11 @@ struct vm_gdb_target {
     size_t (*read)(void *ctx, uint32_t address, uint8_t *bytes, size_t size);
     size_t (*write)(void *ctx, uint32_t address, const uint8_t *bytes, size_t size);
 
+    /* A slice of time has passed with the client there. NULL: nobody minds. */
+    void (*remember)(void *ctx);
+    /* The client has changed registers or memory, and time is about to pass. NULL: nobody minds. */
+    void (*changed)(void *ctx);
+
     /* Commands of this machine: its answer as text in lines, or false when it has no such command.
      * "help" adds a line for each. NULL: none. */
     bool (*monitor)(void *ctx, const char *command, char *text, size_t size);

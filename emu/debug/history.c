@@ -11,7 +11,8 @@
 
 /* Where the machine was, in every unit. */
 struct place {
-    uint64_t now; /* ps */
+    uint64_t now;   /* ps */
+    uint64_t cycle; /* of the processor */
     uint64_t count[VM_UNIT_REFRESH + 1];
 };
 
@@ -34,10 +35,12 @@ struct vm_history {
 
 static struct place place_of(const struct vm_machine *m)
 {
+    const struct vm_board *b = m->desc.board;
     return (struct place){.now = m->now,
-                          .count = {[VM_UNIT_INSTRUCTION] = 0,
+                          .cycle = b ? b->cpu.cycle : 0,
+                          .count = {[VM_UNIT_INSTRUCTION] = b ? rv_retired(&b->cpu) : 0,
                                     [VM_UNIT_WORD] = m->dpu.words,
-                                    [VM_UNIT_REFRESH] = m->refresh.number}};
+                                    [VM_UNIT_REFRESH] = m->refreshes.last.number}};
 }
 
 static void drop(struct vm_history *h, size_t i)
@@ -184,16 +187,20 @@ static bool beginning(struct crt_error *err)
     return crt_fail(err, "this is as far back as the run is remembered");
 }
 
-static void run_words(struct vm_machine *m, uint64_t words, uint64_t limit)
+static void run_to(struct vm_machine *m, enum vm_unit unit, uint64_t count, uint64_t limit)
 {
-    while (m->dpu.words < words && m->now < limit)
-        vm_machine_step(m);
-}
-
-static void run_refreshes(struct vm_machine *m, uint64_t number, uint64_t limit)
-{
-    while (m->refresh.number < number && vm_machine_run_refresh(m, limit))
-        ;
+    switch (unit) {
+    case VM_UNIT_INSTRUCTION:
+        vm_machine_run_retired(m, count, limit);
+        break;
+    case VM_UNIT_WORD:
+        vm_machine_run_words(m, count, limit);
+        break;
+    case VM_UNIT_REFRESH:
+        while (m->refreshes.last.number < count && vm_machine_run_refresh(m, limit))
+            ;
+        break;
+    }
 }
 
 /* Replays to where `count` is first reached, which was before `end`; remembers places on the way, for
@@ -203,10 +210,7 @@ static void replay(struct vm_history *h, enum vm_unit unit, uint64_t count, uint
     struct vm_machine *m = h->rig->machine;
     while (place_of(m).count[unit] < count && m->now < end) {
         uint64_t limit = end - m->now > h->period ? m->now + h->period : end;
-        if (unit == VM_UNIT_WORD)
-            run_words(m, count, limit);
-        else
-            run_refreshes(m, count, limit);
+        run_to(m, unit, count, limit);
         vm_history_note(h);
     }
 }
@@ -225,8 +229,8 @@ static size_t before(const struct vm_history *h, enum vm_unit unit, uint64_t cou
  * first word of what follows. */
 static bool within_refresh(const struct vm_machine *m)
 {
-    uint64_t words = m->dpu.words - m->current.words;
-    return m->in_refresh ? words > 1 : m->now > m->refresh.end;
+    uint64_t words = m->dpu.words - m->refreshes.current.words;
+    return m->refreshes.running ? words > 1 : m->now > m->refreshes.last.end;
 }
 
 bool vm_history_back(struct vm_history *h, enum vm_unit unit, uint64_t n, struct crt_error *err)
@@ -248,50 +252,21 @@ bool vm_history_back(struct vm_history *h, enum vm_unit unit, uint64_t n, struct
     return true;
 }
 
-/* ---- the last place where a condition held ----------------------------------------------------- */
-
-/* Runs on to `end`, or to the place that is number `wanted` of those found (0: to the end). Returns
- * how many were. */
-static uint64_t search(struct vm_history *h, vm_history_find *find, void *ctx, uint64_t end,
-                       uint64_t wanted)
+bool vm_history_rewind(struct vm_history *h, uint64_t cycle)
 {
-    struct vm_machine *m = h->rig->machine;
-    uint64_t found = 0;
-    bool here = true;
-    while (m->now < end) {
-        uint64_t limit = end - m->now > h->period ? m->now + h->period : end;
-        if (find(ctx, h->rig, limit, here)) {
-            here = false;
-            if (++found == wanted)
-                break;
-        } else {
-            here = true;
-            if (wanted)
-                vm_history_note(h);
-        }
-    }
-    return found;
+    struct crt_error err;
+    size_t i = h->count;
+    while (i > 0 && h->at[i - 1].place.cycle >= cycle)
+        i--;
+    return i > 0 && recall(h, i - 1, &err);
 }
 
-bool vm_history_back_until(struct vm_history *h, vm_history_find *find, void *ctx,
-                           struct crt_error *err)
+bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err)
 {
-    uint64_t end = h->rig->machine->now;
     if (h->count == 0)
         return nothing(err);
-    for (size_t i = h->count; i-- > 0;) {
-        uint64_t begin = h->at[i].place.now;
-        if (!recall(h, i, err))
-            return false;
-        uint64_t found = search(h, find, ctx, end, 0);
-        if (found > 0) {
-            if (!recall(h, i, err))
-                return false;
-            uint64_t again = search(h, find, ctx, end, found);
-            assert(again == found);
-            return again == found;
-        }
-        end = begin;
-    }
-    return recall(h, 0, err) && beginning(err);
+    size_t i = h->count - 1;
+    while (i > 0 && h->at[i].place.now > t && !h->at[i].marked)
+        i--;
+    return recall(h, i, err);
 }

@@ -13,7 +13,7 @@
  *             it between runs, as often as convenient.
  * Memory:     below the budget; when it is full, the snapshot goes whose gap is smallest for its
  *             age, so that the spacing grows with age.
- * Films:      none may be open on the rig's tube when going back.
+ * Films:      that are open on the rig's tube are cancelled by going back.
  * Ownership:  vm_history_create allocates, vm_history_destroy frees; the rig must outlive it.
  * Errors:     one sentence. Out of memory: there is less history.
  */
@@ -52,15 +52,15 @@ enum vm_unit { VM_UNIT_INSTRUCTION, VM_UNIT_WORD, VM_UNIT_REFRESH };
  * of a refresh before here (from within a refresh the first is where it began). False and a sentence: not that
  * much is remembered; the rig is then where memory begins. */
 bool vm_history_back(struct vm_history *h, enum vm_unit unit, uint64_t n, struct crt_error *err);
-/* Runs the rig on to the next place where a condition holds, and returns true there; false with the
- * rig at `limit` ps: what begins then or later does not count. Where the rig is at the call counts
- * only when `here`. Must do the same again when called again from the same state. */
-typedef bool vm_history_find(void *ctx, struct vm_rig *rig, uint64_t limit, bool here);
+/* Restores the last snapshot in which the processor's clock is before `cycle`, and forgets the later
+ * ones; false when there is none, and nothing has changed. For who searches the past himself
+ * (emu/debug/gdb_target.h). */
+bool vm_history_rewind(struct vm_history *h, uint64_t cycle);
 
-/* Goes back to the last place before now at which the condition held. False and a sentence: there
- * is none in what is remembered; the rig is then where memory begins. */
-bool vm_history_back_until(struct vm_history *h, vm_history_find *find, void *ctx,
-                           struct crt_error *err);
+/* Restores the last snapshot at or before `t` ps, but none from before the last mark; the first of all
+ * when there is none. False and a sentence: nothing is remembered. For who runs on from there
+ * himself. */
+bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err);
 
 /* How much is remembered. */
 struct vm_history_extent {

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The same film bytes from gcc and clang, baseline and AVX2, 1, 2 and 4 threads, x86-64 and aarch64.
+# The same film bytes from gcc and clang, baseline and AVX2, 1, 2 and 4 threads, x86-64 and aarch64; and
+# of firmware that rewrites its display file while it is refreshed the same trace of 1000 refreshes.
 # What is not installed is skipped, visibly.
 set -u
 out=$TEST_OUT/same_bytes
@@ -44,27 +45,48 @@ rel | dbg) ;;
 esac
 
 "$KINESCOPE" asm $program -o "$out/program.oct" || exit 1
-# What a film needs, without libpng, GL, inih and nettle; the AVX2 kernels on x86-64 only.
-sources="tests/cross/film_bytes.c $(ls crt/*.c display_file/*.c |
-    grep -vE '_avx2|png|glass|gl_|ini|image_hash|catalogue') $(ls emu/machine*.c emu/cpu/*.c emu/board/*.c)
-    emu/flow.c emu/refresh.c emu/console.c"
+firmware=roms/clock.elf refreshes=1000
+# What a film and a trace need, without libpng, GL, inih and nettle; the AVX2 kernels on x86-64 only.
+sources="$(ls crt/*.c display_file/*.c | grep -vE '_avx2|png|glass|gl_|ini|image_hash|catalogue|beam_read')
+    $(ls emu/machine*.c emu/cpu/*.c emu/board/*.c) emu/flow.c emu/refresh.c emu/console.c emu/trace_lines.c"
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -I. -pthread"
+compile() { # COMPILER...: its objects, then both programs
+    rm -rf "$out/objects"
+    for source in $sources tests/cross/film_bytes.c tests/cross/trace_bytes.c; do
+        mkdir -p "$out/objects/$(dirname "$source")"
+        # shellcheck disable=SC2086
+        "$@" $flags -c -o "$out/objects/${source%.c}.o" "$source" || return 1
+    done
+    # shellcheck disable=SC2086
+    case $("$@" -dumpmachine) in
+    x86_64*) "$@" $flags -mavx2 -c -o "$out/objects/avx2.o" crt/footprint_avx2.c || return 1 ;;
+    esac
+    objects=$(find "$out/objects" -name '*.o' ! -path '*/cross/*' | sort)
+    for main in film_bytes trace_bytes; do
+        # shellcheck disable=SC2086
+        "$@" $flags -o "$out/$main" "$out/objects/tests/cross/$main.o" $objects -lm || return 1
+    done
+}
+sum() { sha256sum | cut -d' ' -f1; }
 cross() { # NAME RUNNER COMPILER...
     name=$1 runner=$2
     shift 2
-    rm -f "$out"/*.o
-    case $("$@" -dumpmachine) in
-    # shellcheck disable=SC2086
-    x86_64*) "$@" $flags -mavx2 -c -o "$out/avx2.o" crt/footprint_avx2.c ;;
-    esac
-    # shellcheck disable=SC2086
-    if "$@" $flags -o "$out/film_bytes" $sources $(ls "$out"/*.o 2>/dev/null) -lm; then
-        check "$name" "$($runner "$out/film_bytes" "$out/program.oct" VR17 $at_ps 2 | sha256sum | cut -d' ' -f1)"
+    if compile "$@"; then
+        check "$name: film" "$($runner "$out/film_bytes" "$out/program.oct" VR17 $at_ps 2 | sum)"
+        trace=$($runner "$out/trace_bytes" $firmware $refreshes | sum)
+        if [ -n "$first" ]; then
+            film=$want want=$first
+            check "$name: trace of $refreshes refreshes of $firmware as from $first_name" "$trace"
+            want=$film
+        else
+            first=$trace first_name=$name
+        fi
     else
         n=$((n + 1))
         echo "not ok $n - $name: does not compile"
     fi
 }
+first= # trace
 cross "gcc -O2, on its own" "" gcc
 if command -v clang >/dev/null 2>&1; then
     cross "clang" "" clang

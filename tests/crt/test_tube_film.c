@@ -270,11 +270,63 @@ static void refreshes_in_a_row(void **state)
     free(p);
 }
 
+/* Opened for longer than it is exposed: as one that was opened for just that long. */
+static void end_of_a_film(const struct picture *p, uint64_t a, uint64_t b)
+{
+    struct crt_error err;
+    struct crt_film film, whole;
+    struct crt_tube *tube = crt_tube_create(&p->desc, &err);
+    assert_non_null(tube);
+    assert_true(crt_film_init(&film, tube, &err));
+    int next = 0;
+    for (int half = 0; half < 2; half++) {
+        uint64_t to = half ? b : a;
+        while (next < p->count && p->strokes[next].stroke.t0 < to)
+            crt_tube_stroke(tube, &p->strokes[next++].stroke);
+        crt_tube_advance(tube, to);
+        if (!half)
+            crt_film_open(tube, &film, a, 10 * CRT_PS_PER_S);
+    }
+    assert_true(crt_film_end(tube, &film));
+    assert_true(film.complete && film.t0 == a && film.t1 == b);
+    assert_false(crt_film_end(tube, &film)); /* it is not open any more */
+    expose(p, &whole, a, b, 0);
+    assert_memory_equal(film.light[0], whole.light[0], COLS * ROWS * sizeof(float));
+
+    crt_film_open(tube, &film, b, b + 1);
+    assert_false(crt_film_end(tube, &film)); /* nothing has been exposed */
+    assert_false(film.complete);
+    crt_film_open(tube, &film, b, b + 1);
+    crt_tube_cancel_films(tube);
+    crt_tube_advance(tube, b + 1);
+    assert_false(film.complete);
+    crt_film_free(&film);
+    crt_film_free(&whole);
+    crt_tube_destroy(tube);
+}
+
+static void ended_early(void **state)
+{
+    (void)state;
+    uint32_t seed = 7;
+    struct picture *p = malloc(sizeof *p);
+    set_up(p, phosphor_number(1), SIGMA, 0);
+    for (uint64_t t = 0; p->count < 300; t = p->strokes[p->count - 1].stroke.t1)
+        add(p, random_stroke(&seed, t, COLS * SIGMA, 200));
+    uint64_t last = p->strokes[p->count - 1].stroke.t1, epoch = crt_tick_time(p->desc.epoch, 1);
+    end_of_a_film(p, 0, 1);
+    end_of_a_film(p, last / 5, last / 2);
+    end_of_a_film(p, last / 3, 2 * epoch);
+    end_of_a_film(p, epoch / 2, 3 * epoch + 12345);
+    free(p);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(film_is_the_integral),
         cmocka_unit_test(refreshes_in_a_row),
+        cmocka_unit_test(ended_early),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

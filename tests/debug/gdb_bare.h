@@ -72,7 +72,8 @@ struct bare {
     bool over;
     int status;
     uint64_t keep, next;
-    int kept_count, runs; /* calls of run: the loop without hooks */
+    int kept_count, changes;
+    int runs; /* calls of run: the loop without hooks */
     uint8_t memory[BARE_SIZE];
     struct bare_kept kept[BARE_KEPT];
     struct vm_gdb_session session;
@@ -132,6 +133,11 @@ static bool bare_rewind(void *ctx, uint64_t cycle)
 static uint64_t bare_now(void *ctx)
 {
     return ((struct bare *)ctx)->cpu.cycle;
+}
+
+static void bare_changed(void *ctx)
+{
+    ((struct bare *)ctx)->changes++;
 }
 
 static uint64_t bare_time(void *ctx, uint64_t cycle)
@@ -247,6 +253,7 @@ static inline bool bare_init(struct bare *b, const uint32_t *program, size_t wor
         .read = bare_read,
         .write = bare_write,
         .monitor = bare_monitor,
+        .changed = bare_changed,
         .rewind = keep ? bare_rewind : NULL,
         .time = bare_time,
     };

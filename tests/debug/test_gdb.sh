@@ -73,6 +73,22 @@ report $? "step, registers, monitor, a register is set"
 [ $status -eq 0 ]
 report $? "kill ends the run"
 
+# ---- back ----
+
+start bounce
+debug 'break body_move' continue 'set $body = $a0' continue continue 'print *(float *) $body' 'print $pc' \
+    reverse-continue 'print *(float *) $body' reverse-stepi 'print $pc == (char *) body_move' reverse-stepi \
+    stepi stepi 'print $pc == $2' delete 'watch *(float *) $body' reverse-continue 'print *(float *) $body' \
+    delete 'break body_move' continue 'print *(float *) $body' reverse-continue delete reverse-continue \
+    'print $pc == (char *) _start' 'monitor past' kill
+finish
+said '^\$1 = -0\.43616' '^\$3 = -0\.44308' '^\$4 = 1$' '^\$5 = 1$'
+report $? "reverse-continue to a breakpoint, reverse-stepi from there"
+said '^Old value = -0\.44308' '^New value = -0\.4[45]0?' '^\$6 = -0\.4[45]' '^\$7 = -0\.44308'
+report $? "reverse-continue undoes a watched store; forward again it is the same"
+said 'No more reverse-execution history' '^\$8 = 1$' '^remembered from 0\.0 s on'
+report $? "back to power-on, and no further"
+
 # ---- interrupt, detach ----
 
 start bounce

@@ -101,36 +101,42 @@ static void kinds_of_breakpoints(void **state)
     }
 }
 
+/* Before the access; going on without taking the watchpoint out gets past it. */
 static void watchpoints(void **state)
 {
     struct asker *a = *state;
     assert_reply(a, "Z2,80001002,1", "OK"); /* within the word that is stored */
-    assert_stop(a, "c", "T05watch:80001002;", 0x1c);
+    assert_stop(a, "c", "T05watch:80001002;", 0x18);
+    assert_int_equal(a->bare.memory[0x1000], 0);
+    assert_stop(a, "c", "T05watch:80001002;", 0x18);
     assert_int_equal(a->bare.memory[0x1000], 1);
-    assert_stop(a, "c", "T05watch:80001002;", 0x1c);
+    assert_stop(a, "s", "T05", 0x1c);
     assert_int_equal(a->bare.memory[0x1000], 2);
     assert_reply(a, "z2,80001002,1", "OK");
     assert_reply(a, "Z2,80001005,1", "OK"); /* loaded only */
     assert_reply(a, "Z3,80001004,4", "OK");
-    assert_stop(a, "c", "T05rwatch:80001005;", 0x20);
+    assert_stop(a, "s", "T05rwatch:80001005;", 0x1c);
+    assert_stop(a, "vCont;r80000014,80000028", "T05rwatch:80001005;", 0x1c);
+    assert_int_equal(a->bare.cpu.x[10], 3);
     assert_reply(a, "z3,80001004,4", "OK");
     assert_reply(a, "Z3,80001000,4", "OK"); /* stored only */
     assert_reply(a, "Z4,80001000,8", "OK");
-    assert_stop(a, "c", "T05awatch:80001000;", 0x1c);
-    assert_stop(a, "c", "T05awatch:80001005;", 0x20);
-    assert_stop(a, "s", "T05", 0x14);
+    assert_stop(a, "c", "T05awatch:80001000;", 0x18);
+    assert_stop(a, "c", "T05awatch:80001005;", 0x1c);
+    assert_stop(a, "s", "T05", 0x20);
     assert_reply(a, "z4,80001000,8", "OK");
     assert_reply(a, "Z3,ffffffff,ffffffff", "OK");
     assert_reply(a, "Z2,100,0", "OK"); /* a device's register */
+    assert_stop(a, "c", "T05watch:100;", 0x2c);
     assert_reply(a, "c", "W03");
 }
 
-/* A store that traps reaches nothing. */
 static void store_that_traps(void **state)
 {
     struct asker *a = *state;
     assert_reply(a, "Z2,80001000,4", "OK");
     assert_true(rv_protect(&a->bare.cpu, 0x80001000, 0x80001010));
+    assert_stop(a, "c", "T05watch:80001000;", 0x18);
     assert_stop(a, "c", "T0b", 0x18);
     assert_stop(a, "c", "T0b", 0x18);
     assert_stop(a, "s", "T0b", 0x18);
@@ -234,7 +240,7 @@ static void breaks_in_handlers(void **state)
     assert_stop(a, "s", "T05", 0x44);
     assert_stop(a, "vCont;r80000040,80000054", "T05", 0x24); /* mret */
     assert_reply(a, "Z2,200,4", "OK");
-    assert_stop(a, "c", "T05watch:200;", 0x4c);
+    assert_stop(a, "c", "T05watch:200;", 0x48);
     assert_int_equal(a->bare.cpu.x[15], 2);
 }
 
@@ -317,37 +323,63 @@ static void back_to_breakpoints(void **state)
     assert_int_equal(a->bare.cpu.x[10], 1);
 }
 
-/* A watched access is undone. */
+/* To after a watched access, from where one step back undoes it. */
 static void back_to_accesses(void **state)
 {
     struct asker *a = *state;
     assert_reply(a, "Z0,80000028,4", "OK");
     assert_stop(a, "c", "T05swbreak:;", 0x28);
     assert_reply(a, "Z2,80001000,4", "OK");
-    assert_stop(a, "bc", "T05watch:80001000;", 0x18);
-    assert_int_equal(a->bare.memory[0x1000], 4);
-    assert_stop(a, "bc", "T05watch:80001000;", 0x18);
-    assert_int_equal(a->bare.memory[0x1000], 3);
-    assert_stop(a, "c", "T05watch:80001000;", 0x1c);
-    assert_int_equal(a->bare.memory[0x1000], 4);
+    for (unsigned value = 5; value > 0; value--) {
+        assert_stop(a, "bc", "T05watch:80001000;", 0x1c);
+        assert_int_equal(a->bare.memory[0x1000], value);
+        assert_stop(a, "bs", "T05", 0x18);
+        assert_int_equal(a->bare.memory[0x1000], value - 1);
+    }
+    assert_stop(a, "bc", "T05replaylog:begin;", 0);
+    assert_stop(a, "c", "T05watch:80001000;", 0x18);
+    assert_int_equal(a->bare.memory[0x1000], 0);
     assert_reply(a, "bx", "");
     assert_reply(a, "bcx", "");
 }
 
-/* From the end of the program, too, and ^C on the way back. */
 static void back_from_the_end(void **state)
 {
     struct asker *a = *state;
     assert_reply(a, "c", "W03");
     assert_stop(a, "bs", "T05", 0x2c);
+    assert_reply(a, "c", "W03");
+}
+
+static void back_interrupted(void **state)
+{
+    struct asker *a = *state;
+    assert_reply(a, "c", "W03");
     ask_bytes(a, "bc", 2);
     ask_run(a, 1);
     assert_int_equal(a->packets, 0);
     ask_raw(a, "\x03", 1);
     ask_run(a, 1);
     assert_memory_equal(a->said, "T0202:", 6);
-    assert_true(a->bare.cpu.cycle > 0 && a->bare.cpu.cycle < 27);
+    assert_int_equal(a->bare.cpu.cycle, 21); /* snapshots are at 0, 7, 14, 21 */
     assert_reply(a, "c", "W03");
+}
+
+/* What the client changed is told of once, and only when time passes. */
+static void changes(void **state)
+{
+    struct asker *a = *state;
+    assert_stop(a, "s", "T05", 4);
+    assert_int_equal(a->bare.changes, 0);
+    assert_reply(a, "Pb=01000000", "OK");
+    assert_reply(a, "M80001000,1:01", "OK");
+    assert_reply(a, "m80001000,1", "01");
+    assert_int_equal(a->bare.changes, 0);
+    assert_stop(a, "s", "T05", 8);
+    assert_stop(a, "s", "T05", 0xc);
+    assert_int_equal(a->bare.changes, 1);
+    assert_stop(a, "s80000014", "T05", 0x18);
+    assert_int_equal(a->bare.changes, 2);
 }
 
 #define LOOP(name)  cmocka_unit_test_setup_teardown(name, begin_loop, end)
@@ -374,6 +406,8 @@ int main(void)
         KEPT(back_to_breakpoints),
         KEPT(back_to_accesses),
         KEPT(back_from_the_end),
+        KEPT(back_interrupted),
+        KEPT(changes),
     };
     return cmocka_run_group_tests_name("gdb_run", tests, NULL, NULL);
 }

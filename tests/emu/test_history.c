@@ -89,9 +89,7 @@ static void run_to(struct bench *b, uint64_t t)
 static void one_word(struct bench *b)
 {
     struct vm_machine *m = b->rig.machine;
-    uint64_t words = m->dpu.words;
-    while (m->dpu.words == words)
-        vm_machine_step(m);
+    assert_true(vm_machine_run_words(m, m->dpu.words + 1, UINT64_MAX / 4));
     vm_history_note(b->history);
 }
 
@@ -158,7 +156,7 @@ static void refreshes_of(const char *path)
     struct bench *b = set_up(path, 50 * MS, 0);
     struct vm_machine *m = b->rig.machine;
     run_to(b, CRT_PS_PER_S / 4);
-    uint64_t first = m->refresh.number + 1;
+    uint64_t first = m->refreshes.last.number + 1;
     for (int i = 0; i < REFRESHES; i++) {
         assert_true(vm_machine_run_refresh(m, UINT64_MAX / 4));
         vm_history_note(b->history);
@@ -168,7 +166,7 @@ static void refreshes_of(const char *path)
     back(b, VM_UNIT_REFRESH, 1);
     is_what_was(b, &was[REFRESHES - 2]);
     vm_machine_run(m, m->now + MS / 10);
-    assert_int_equal(m->refresh.number, first + REFRESHES - 2);
+    assert_int_equal(m->refreshes.last.number, first + REFRESHES - 2);
     back(b, VM_UNIT_REFRESH, 1);
     is_what_was(b, &was[REFRESHES - 2]);
     back(b, VM_UNIT_REFRESH, 20);
@@ -177,7 +175,7 @@ static void refreshes_of(const char *path)
         back(b, VM_UNIT_REFRESH, 1);
         is_what_was(b, &was[i - 1]);
     }
-    assert_int_equal(m->refresh.number, first);
+    assert_int_equal(m->refreshes.last.number, first);
     tear_down(b);
 }
 
@@ -217,74 +215,91 @@ static void light_is_seen_again(void **state)
     tear_down(b);
 }
 
-/* ---- the last place where … -------------------------------------------------------------------- */
+/* ---- instructions ------------------------------------------------------------------------------ */
 
-/* A break point on a display word: a word about to be fetched from here. */
-struct break_point {
-    uint16_t address;
-    uint64_t asked; /* words replayed for it */
-};
-
-static bool about_to(const struct break_point *p, const struct vm_machine *m, uint64_t limit)
-{
-    return m->dpu.state == DF_RUNNING && m->dpu.dpc == p->address && m->dpu.t < limit;
-}
-
-static bool find(void *ctx, struct vm_rig *rig, uint64_t limit, bool here)
-{
-    struct break_point *p = ctx;
-    struct vm_machine *m = rig->machine;
-    if (here && about_to(p, m, limit))
-        return true;
-    while (m->now < limit) {
-        uint64_t t = m->dpu.state == DF_RUNNING ? m->dpu.t : m->tick_time;
-        if (t >= limit) {
-            vm_machine_run(m, limit);
-            break;
-        }
-        vm_machine_step(m);
-        p->asked++;
-        if (about_to(p, m, limit))
-            return true;
-    }
-    return false;
-}
-
-static void back_to_a_break_point(void **state)
+static void back_by_instructions(void **state)
 {
     (void)state;
-    enum { MOST = 200 };
-    static uint64_t time[MOST];
-    static struct digest was[MOST];
-    struct bench *b = set_up("roms/lander.df", 40 * MS, 0);
+    enum { STEPS = 300 };
+    static struct digest was[STEPS];
+    static const unsigned hops[] = {1, 1, 40, 1, 1, 7, 100, 2, 1, 60};
+    struct bench *b = set_up("roms/bounce.elf", 20 * MS, 0);
     struct vm_machine *m = b->rig.machine;
-    struct crt_error err;
-    struct break_point p = {(uint16_t)m->entry, 0};
-    struct digest begin = digest_of(b);
-    int n = 0;
-    /* A word of the picture, which is drawn again and again: the one fetched next at 0.1 s. */
-    vm_machine_run(m, CRT_PS_PER_S / 10);
-    while (m->dpu.state != DF_RUNNING)
-        vm_machine_step(m);
-    p.address = m->dpu.dpc;
-    back(b, VM_UNIT_WORD, m->dpu.words);
-    while (m->now < CRT_PS_PER_S / 2 && n < MOST) {
-        if (find(&p, &b->rig, CRT_PS_PER_S / 2, false)) {
-            time[n] = m->dpu.t;
-            was[n++] = digest_of(b);
-        }
+    run_to(b, CRT_PS_PER_S / 4);
+    for (int i = 0; i < STEPS; i++) {
+        assert_true(vm_machine_run_retired(m, rv_retired(&m->desc.board->cpu) + 1, UINT64_MAX / 4));
         vm_history_note(b->history);
+        was[i] = digest_of(b);
     }
-    assert_true(n > 5);
-    for (int i = n - 1; i >= 0; i--) {
-        if (!vm_history_back_until(b->history, find, &p, &err))
-            fail_msg("%d of %d: %s", i, n, err.text);
-        assert_int_equal(m->dpu.t, time[i]);
-        is_what_was(b, &was[i]);
+    unsigned at = STEPS - 1;
+    for (size_t i = 0; i < COUNT(hops); i++) {
+        at -= hops[i];
+        back(b, VM_UNIT_INSTRUCTION, hops[i]);
+        is_what_was(b, &was[at]);
     }
-    assert_false(vm_history_back_until(b->history, find, &p, &err));
-    assert_string_equal(err.text, "this is as far back as the run is remembered");
-    is_what_was(b, &begin);
+    /* Each unit leads to the same past. */
+    back(b, VM_UNIT_INSTRUCTION, 100000);
+    uint64_t words = m->dpu.words, number = m->refreshes.last.number;
+    back(b, VM_UNIT_WORD, 10);
+    assert_int_equal(m->dpu.words, words - 10);
+    back(b, VM_UNIT_REFRESH, 2);
+    assert_true(m->refreshes.last.number < number);
+    tear_down(b);
+}
+
+/* A searcher's way: to the last snapshot before some clock, and on from there. */
+static void rewound_by_the_clock(void **state)
+{
+    (void)state;
+    struct bench *b = set_up("roms/clock.elf", 10 * MS, 0);
+    struct vm_machine *m = b->rig.machine;
+    const struct rv_cpu *cpu = &m->desc.board->cpu;
+    run_to(b, CRT_PS_PER_S / 20);
+    vm_machine_run(m, m->now + 3 * MS);
+    struct digest was = digest_of(b);
+    uint64_t t = m->now, cycle = cpu->cycle;
+    assert_true(vm_history_rewind(b->history, cycle));
+    assert_true(cpu->cycle < cycle && t - m->now <= 20 * MS);
+    uint64_t earlier = cpu->cycle;
+    assert_true(vm_history_rewind(b->history, cycle)); /* again the same */
+    assert_int_equal(cpu->cycle, earlier);
+    vm_machine_run(m, t);
+    is_what_was(b, &was);
+    assert_true(vm_history_rewind(b->history, earlier));
+    assert_true(cpu->cycle < earlier);
+    while (vm_history_rewind(b->history, cpu->cycle))
+        ;
+    assert_int_equal(m->now, 0);
+    vm_machine_run(m, t);
+    is_what_was(b, &was);
+    tear_down(b);
+}
+
+/* What was printed is not printed again. */
+static void count_byte(void *ctx, uint8_t byte, uint64_t t)
+{
+    (void)byte;
+    (void)t;
+    ++*(unsigned *)ctx;
+}
+
+static void the_console_says_it_once(void **state)
+{
+    (void)state;
+    struct bench *b = set_up("roms/hello.elf", MS, 0);
+    unsigned bytes = 0;
+    b->rig.console->desc = (struct vm_console_desc){.ctx = &bytes, .sink = count_byte};
+    run_to(b, 5 * MS);
+    unsigned printed = bytes;
+    assert_true(printed > 20);
+    struct digest was = digest_of(b);
+    back(b, VM_UNIT_INSTRUCTION, 10000);
+    assert_true(b->rig.console->sent < printed);
+    run_to(b, 5 * MS);
+    is_what_was(b, &was);
+    assert_int_equal(bytes, printed);
+    run_to(b, 100 * MS);
+    assert_true(bytes > printed);
     tear_down(b);
 }
 
@@ -308,16 +323,16 @@ static void little_memory_thins(void **state)
         run_to(b, (uint64_t)(i + 1) * CRT_PS_PER_S / 2);
         assert_true(vm_machine_run_refresh(m, UINT64_MAX / 4));
         was[i] = digest_of(b);
-        number[i] = m->refresh.number;
+        number[i] = m->refreshes.last.number;
     }
     struct vm_history_extent extent = vm_history_extent(b->history);
     print_message("# %zu snapshots, %zu bytes of %zu\n", extent.snapshots, extent.bytes, 40 * one);
     assert_true(extent.bytes <= 40 * one && extent.snapshots >= 8);
     assert_int_equal(extent.oldest, 0);
     for (int i = 5; i >= 0; i--) {
-        if (m->refresh.number > number[i])
-            back(b, VM_UNIT_REFRESH, m->refresh.number - number[i]);
-        assert_int_equal(m->refresh.number, number[i]);
+        if (m->refreshes.last.number > number[i])
+            back(b, VM_UNIT_REFRESH, m->refreshes.last.number - number[i]);
+        assert_int_equal(m->refreshes.last.number, number[i]);
         is_what_was(b, &was[i]);
     }
     tear_down(b);
@@ -362,13 +377,9 @@ static void the_second_step_is_short(void **state)
     assert_int_equal(vm_history_extent(b->history).snapshots, 1);
     back(b, VM_UNIT_WORD, 10);
     size_t many = vm_history_extent(b->history).snapshots;
-    assert_true(many > 25);
-    struct break_point p = {m->dpu.dpc, 0};
+    assert_true(many > 40);
     back(b, VM_UNIT_WORD, 1);
-    assert_true(vm_history_extent(b->history).snapshots + 2 > many);
-    struct crt_error err;
-    assert_true(vm_history_back_until(b->history, find, &p, &err));
-    assert_true(p.asked > 0 && p.asked < m->dpu.words / 4);
+    assert_true(vm_history_extent(b->history).snapshots + 1 >= many);
     vm_history_forget(b->history);
     assert_int_equal(vm_history_extent(b->history).snapshots, 1);
     assert_int_equal(vm_history_extent(b->history).oldest, m->now);
@@ -382,7 +393,9 @@ int main(void)
         cmocka_unit_test(back_to_the_very_beginning),
         cmocka_unit_test(back_by_refreshes),
         cmocka_unit_test(light_is_seen_again),
-        cmocka_unit_test(back_to_a_break_point),
+        cmocka_unit_test(back_by_instructions),
+        cmocka_unit_test(rewound_by_the_clock),
+        cmocka_unit_test(the_console_says_it_once),
         cmocka_unit_test(little_memory_thins),
         cmocka_unit_test(what_came_from_outside_stays),
         cmocka_unit_test(the_second_step_is_short),

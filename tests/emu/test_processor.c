@@ -329,6 +329,28 @@ static void what_no_device_takes_is_a_fault_nobody_handles(void **state)
     }
 }
 
+static void firmware_can_be_booted_again_after_it_was_lost(void **state)
+{
+    (void)state;
+    static const uint32_t lost[] = {LUI(A0, 0x50000), LW(A1, A0, 0)};
+    static const uint8_t counting[] = {0x13, 0x05, 0x15, 0,
+                                       0x6f, 0xf0, 0xdf, 0xff}; /* addi a0; j */
+    const struct vm_elf elf = {
+        .segment = {{MAP_PROGRAM, counting, sizeof counting, sizeof counting, false, true}},
+        .segments = 1,
+        .entry = MAP_PROGRAM};
+    struct bench *b = set_up(lost, COUNT(lost), NULL, 0);
+    struct crt_error err;
+    assert_true(vm_machine_run_end(b->m, MS));
+    vm_machine_run(b->m, MS);
+    assert_true(vm_machine_boot(b->m, &elf, NULL, "again", &err));
+    vm_machine_run(b->m, 2 * MS);
+    assert_int_equal(b->board->cpu.state, RV_RUNNING);
+    assert_int_equal(b->board->cpu.x[A0], MS / CYCLE / 2);
+    assert_int_equal(b->board->cpu.cycle, 2 * MS / CYCLE);
+    tear_down(b);
+}
+
 /* ---- goals -------------------------------------------------------------------------------------- */
 
 static void the_finisher_ends_a_run_with_its_status(void **state)
@@ -471,6 +493,7 @@ int main(void)
         cmocka_unit_test(display_memory_takes_all_widths),
         cmocka_unit_test(identity_says_what_is_here),
         cmocka_unit_test(what_no_device_takes_is_a_fault_nobody_handles),
+        cmocka_unit_test(firmware_can_be_booted_again_after_it_was_lost),
         cmocka_unit_test(the_finisher_ends_a_run_with_its_status),
         cmocka_unit_test(runs_stop_at_an_instruction_or_a_word),
         cmocka_unit_test(a_debugger_stops_before_an_instruction),

@@ -1,0 +1,78 @@
+/* trace_bytes.c — firmware in, the words its display processor executes out: what the cross-compiled
+ * comparison runs beside film_bytes.c.
+ *
+ *      trace_bytes FILE.elf REFRESHES > lines
+ *
+ * Prints a line per word of the display processor and per change of an interrupt line, as `kinescope
+ * trace` does, until so many refreshes are complete; then the processor's registers. Links no library
+ * but C's.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "emu/trace_lines.h"
+
+#define LIMIT (600 * CRT_PS_PER_S)
+
+static int die(const char *sentence)
+{
+    fprintf(stderr, "trace_bytes: %s\n", sentence);
+    return 1;
+}
+
+static uint8_t *slurp(const char *path, size_t *length)
+{
+    FILE *in = fopen(path, "rb");
+    uint8_t *bytes = malloc(1u << 20);
+    if (in == NULL || bytes == NULL)
+        return NULL;
+    *length = fread(bytes, 1, 1u << 20, in);
+    fclose(in);
+    return bytes;
+}
+
+/* Lines of words and of interrupts at once. */
+static void print_refreshes(struct vm_machine *m, uint64_t refreshes)
+{
+    struct vm_trace_lines words, lines;
+    vm_trace_lines_init(&words, VM_TRACE_DPU, stdout, m->desc.board);
+    vm_trace_lines_init(&lines, VM_TRACE_IRQ, stdout, m->desc.board);
+    struct vm_hooks hooks = words.hooks;
+    hooks.line = lines.hooks.line; /* both want no more of their context than the stream */
+    while (m->refreshes.last.number < refreshes && m->now < LIMIT)
+        vm_machine_trace(m, m->now + CRT_PS_PER_MS, &hooks);
+}
+
+int main(int argc, char **argv)
+{
+    struct crt_error err;
+    struct vm_elf elf;
+    size_t length = 0;
+    if (argc != 3)
+        return die("usage: trace_bytes FILE.elf REFRESHES");
+    uint8_t *bytes = slurp(argv[1], &length);
+    const struct crt_tube_row *row = crt_tube_row_find("VR17");
+    struct vm_machine *m = malloc(sizeof *m);
+    if (bytes == NULL || m == NULL || !vm_elf_parse(&elf, argv[1], bytes, length, &err))
+        return die("not a program");
+    struct vm_board *board = vm_board_create((struct crt_rate){VM_CPU_HZ, 1}, NULL, &err);
+    if (board == NULL)
+        return die(err.text);
+    vm_machine_init(m, &(struct vm_machine_desc){.row = row,
+                                                 .timing = df_timing_of_tube(row, DF_TIMING_VALUE),
+                                                 .tick = {(uint64_t)row->sync.value, 1},
+                                                 .memory_bytes = DF_ADDRESS_SPACE,
+                                                 .board = board});
+    if (!vm_machine_boot(m, &elf, NULL, argv[1], &err))
+        return die(err.text);
+    print_refreshes(m, strtoull(argv[2], NULL, 10));
+    for (int i = 0; i < 32; i++)
+        printf("x%d %08x f%d %08x\n", i, board->cpu.x[i], i, board->cpu.f[i]);
+    printf("pc %08x after %llu instructions\n", board->cpu.pc,
+           (unsigned long long)rv_retired(&board->cpu));
+    vm_board_destroy(board);
+    vm_elf_free(&elf);
+    free(m);
+    free(bytes);
+    return fflush(stdout) == 0 ? 0 : die("could not write");
+}
