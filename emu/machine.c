@@ -84,17 +84,6 @@ bool vm_machine_load(struct vm_machine *m, const struct df_program *program, con
     return true;
 }
 
-/* A processor that had halted or ended has let no clocks pass since. */
-static void catch_up(struct vm_machine *m)
-{
-    struct rv_cpu *cpu = &m->desc.board->cpu;
-    uint64_t cycle = vm_board_cycle(m->desc.board, m->now);
-    if (cpu->cycle >= cycle)
-        return;
-    cpu->idle += cycle - cpu->cycle;
-    cpu->cycle = cycle;
-}
-
 bool vm_machine_boot(struct vm_machine *m, const struct vm_elf *elf,
                      const struct df_program *display, const char *name, struct crt_error *err)
 {
@@ -107,8 +96,7 @@ bool vm_machine_boot(struct vm_machine *m, const struct vm_elf *elf,
     m->beside = display ? display->entry & ~1u : VM_NO_ENTRY;
     vm_refreshes_flow(&m->refreshes, (struct vm_flow){.head = VM_NO_HEAD});
     m->refreshes.declared = false;
-    catch_up(m);
-    vm_board_load(m->desc.board, elf);
+    vm_board_load(m->desc.board, elf, m->now);
     return true;
 }
 
