@@ -53,6 +53,7 @@ struct vm_shown {
     struct vm_rig rig;
     struct crt_film film;
     struct vm_history *history; /* NULL: no memory for it, or there is nothing to step by */
+    uint64_t from;              /* when the show of it began: later than 0 with --load-state */
 };
 
 struct vm_show {
