@@ -239,12 +239,14 @@ static int plan(struct capture *c, struct crt_error *err)
         c->shots.count = 1;
         status = vm_moment_find(&rig, &c->o.moment, &c->settings, &c->input, &c->shots.from, err);
     }
-    bool ran = status == VM_EXIT_OK || status == VM_EXIT_TIMEOUT;
+    bool late = status == VM_EXIT_TIMEOUT, ran = status == VM_EXIT_OK || late;
     /* A program that has not lit the beam yet may still do so, after its first sync tick. */
     if (ran && rig.machine->strokes == 0)
         vm_machine_run(rig.machine, VM_SETTLED_PS);
-    if (ran && vm_find_trouble(rig.machine, &c->input, &trouble)) {
-        if (!c->o.allow_dark || status == VM_EXIT_TIMEOUT) {
+    enum vm_trouble found = ran ? vm_find_trouble(rig.machine, &c->input, &trouble) : VM_NO_TROUBLE;
+    /* What firmware is waited for may come before its first light. */
+    if (found && !(found == VM_TROUBLE_DARK && late && c->input.has_firmware)) {
+        if (!c->o.allow_dark || late) {
             *err = trouble;
             status = VM_EXIT_TROUBLE;
         } else {

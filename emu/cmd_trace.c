@@ -238,6 +238,10 @@ static int run(int argc, char **argv)
         crt_fail(&err, "--what %s needs firmware; %s runs without a processor", t.o.what,
                  t.input.name);
         status = fail(VM_EXIT_USAGE, &err);
+    } else if (t.o.summary && (t.o.saved.load || t.o.saved.save || t.o.from.given)) {
+        crt_fail(&err, "--summary measures from power-on; leave out --load-state, --save-state and "
+                       "--from");
+        status = fail(VM_EXIT_USAGE, &err);
     } else {
         status = trace(&t);
     }
