@@ -403,6 +403,10 @@ static int run(int argc, char **argv)
     if (!check_options(&c, &err) || !vm_out_spares(c.o.out, args.item[0], &err) ||
         !vm_out_spares(c.o.y4m, args.item[0], &err))
         return fail(VM_EXIT_USAGE, &err);
+    status = vm_saved_check(&c.o.saved, args.item[0], c.o.input.firmware,
+                            c.o.out ? c.o.out : c.o.y4m, &err);
+    if (status)
+        return fail(status, &err);
     if (!vm_input_load(&c.input, args.item[0], &c.o.input, &err, &report)) {
         if (report)
             fputs(report, stderr);

@@ -151,6 +151,9 @@ static int run(int argc, char **argv)
         crt_fail(&err, "--for: nothing happens in no time; give a time above zero");
         return fail(VM_EXIT_USAGE, &err);
     }
+    status = vm_saved_check(&o.saved, path, o.input.firmware, NULL, &err);
+    if (status)
+        return fail(status, &err);
     if (!o.headless)
         return run_window(&o, path);
     if (path)

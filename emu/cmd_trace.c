@@ -224,6 +224,9 @@ static int run(int argc, char **argv)
         return status;
     if (!vm_out_spares(t.o.out, args.item[0], &err))
         return fail(VM_EXIT_USAGE, &err);
+    status = vm_saved_check(&t.o.saved, args.item[0], t.o.input.firmware, t.o.out, &err);
+    if (status)
+        return fail(status, &err);
     if (!vm_input_load(&t.input, args.item[0], &t.o.input, &err, &report)) {
         if (report)
             fputs(report, stderr);

@@ -88,6 +88,21 @@ check "there are figures" [ "$(echo "$both" | wc -w)" -eq 2 ]
 says "a summary goes on from nothing" 2 "measures from power-on" \
     trace "$clock" --summary --load-state "$work/one.state"
 
+cp "$clock" "$work/own.elf"
+says "a snapshot over its program" 2 "written over" \
+    run "$work/own.elf" --headless --for 1ms --save-state "$work/own.elf"
+says "a snapshot over its firmware" 2 "written over" run "$root/tests/programs/star.df" \
+    --firmware "$work/own.elf" --headless --for 1ms --save-state "$work/own.elf"
+check "the program is as it was" cmp -s "$clock" "$work/own.elf"
+cp "$work/one.state" "$work/kept.state"
+says "a picture over the snapshot it begins with" 2 "written over" \
+    capture "$clock" --load-state "$work/kept.state" --at 2s -o "$work/kept.state"
+check "the snapshot is as it was" cmp -s "$work/one.state" "$work/kept.state"
+says "a snapshot over the trace" 2 "where the output goes" \
+    trace "$clock" --what cpu -o "$work/t" --save-state "$work/t"
+says "a snapshot into no folder, at once" 1 "nowhere/x cannot be written" \
+    run "$clock" --headless --for 3600s --save-state "$work/nowhere/x"
+
 # ---- words --------------------------------------------------------------------------------------
 says "firmware is no display file" 1 "stops.elf is firmware" disasm "$stops"
 kinescope trace "$stops" --summary
