@@ -122,8 +122,8 @@ struct crt_tube_totals crt_tube_totals(const struct crt_tube *tube);
 
 /* All that future light depends on, as of the last advance and with the strokes delivered since:
  * a tube of the same desc (knobs, threads and kernels aside) that loads it goes on to the same
- * samples. Films are observers and no part of it; none may be open when loading. A tube whose
- * loading failed is fit to be loaded again or destroyed, for nothing else. */
+ * samples. Films are observers and no part of it; loading cancels those that are open, as time is
+ * another. A tube whose loading failed is fit to be loaded again or destroyed, for nothing else. */
 void crt_tube_state(struct crt_tube *tube, struct crt_state *s);
 
 /* The `now` of the last advance, and when the last stroke began. */

@@ -232,7 +232,8 @@ static void time_state(struct crt_tube *tube, struct crt_state *s)
 
 void crt_tube_state(struct crt_tube *tube, struct crt_state *s)
 {
-    assert(!s->loading || !tube->films);
+    if (s->loading)
+        crt_tube_cancel_films(tube);
     crt_state_begin(s, "TUBE", VERSION);
     grid_state(&tube->desc.grid, s);
     time_state(tube, s);

@@ -243,7 +243,10 @@ static int plan(struct capture *c, struct crt_error *err)
     /* A program that has not lit the beam yet may still do so, after its first sync tick. */
     if (ran && rig.machine->strokes == 0)
         vm_machine_run(rig.machine, VM_SETTLED_PS);
-    if (ran && vm_find_trouble(rig.machine, &c->input, &trouble)) {
+    enum vm_trouble found = ran ? vm_find_trouble(rig.machine, &c->input, &trouble) : VM_NO_TROUBLE;
+    /* Firmware may well be dark until the moment that it is waited for. */
+    bool waiting = status == VM_EXIT_TIMEOUT && found == VM_TROUBLE_DARK && c->input.has_firmware;
+    if (found && !waiting) {
         if (!c->o.allow_dark || status == VM_EXIT_TIMEOUT) {
             *err = trouble;
             status = VM_EXIT_TROUBLE;
@@ -398,8 +401,8 @@ static int run(int argc, char **argv)
                                   argv, &args, 1, 1);
     if (status >= 0)
         return status;
-    if (!check_options(&c, &err) || !vm_out_spares(c.o.out, args.item[0], &err) ||
-        !vm_out_spares(c.o.y4m, args.item[0], &err))
+    if (!vm_input_check(&c.o.input, &err) || !check_options(&c, &err) ||
+        !vm_out_spares(c.o.out, args.item[0], &err) || !vm_out_spares(c.o.y4m, args.item[0], &err))
         return fail(VM_EXIT_USAGE, &err);
     if (!vm_input_load(&c.input, args.item[0], &c.o.input, &err, &report)) {
         if (report)

@@ -50,6 +50,13 @@ static int fail(int status, const struct crt_error *err)
     return vm_command_fail(&vm_command_run, status, err);
 }
 
+/* A console and a debugger are for firmware. */
+static bool has_use(const struct options *o, const struct vm_input *input, struct crt_error *err)
+{
+    return input->has_firmware || (!o->console && !o->gdb) ||
+           crt_fail(err, "%s: %s has no firmware", o->console ? "--console" : "--gdb", input->name);
+}
+
 /* The debugger's door, when there is to be one; false: a sentence, with its status. */
 static bool open_gdb(const struct options *o, const char *path, struct vm_gdb **gdb, int *status,
                      struct crt_error *err)
@@ -75,6 +82,8 @@ static int debuggable_headless(const struct options *o, const char *path,
 {
     struct vm_headless headless = {.console = o->console, .length = o->length, .saved = o->saved};
     int status;
+    if (!has_use(o, input, err))
+        return VM_EXIT_USAGE;
     if (!open_gdb(o, path, &headless.gdb, &status, err))
         return status;
     status = vm_headless(&headless, settings, input, err);
@@ -103,6 +112,18 @@ static int run_headless(const struct options *o, const char *path)
     return status && err.text[0] ? fail(status, &err) : status;
 }
 
+/* The window loads its file itself; what is wrong with that it says itself, too. */
+static bool window_has_use(const struct options *o, const char *path, struct crt_error *err)
+{
+    struct vm_input input;
+    struct crt_error said;
+    if (!path || (!o->console && !o->gdb) || !vm_input_load(&input, path, &o->input, &said, NULL))
+        return true;
+    bool ok = has_use(o, &input, err);
+    vm_input_free(&input);
+    return ok;
+}
+
 static int run_window(const struct options *o, const char *path)
 {
     struct vm_settings settings;
@@ -113,6 +134,8 @@ static int run_window(const struct options *o, const char *path)
     if (!status)
         status = vm_light_settings(&o->light, &settings, &light, &err);
     vm_settings_free(&settings);
+    if (!status && !window_has_use(o, path, &err))
+        status = VM_EXIT_USAGE;
     if (status)
         return fail(status, &err);
     struct vm_show_desc desc = {.path = path,
@@ -151,6 +174,8 @@ static int run(int argc, char **argv)
         crt_fail(&err, "--for: nothing happens in no time; give a time above zero");
         return fail(VM_EXIT_USAGE, &err);
     }
+    if (!vm_input_check(&o.input, &err))
+        return fail(VM_EXIT_USAGE, &err);
     if (!o.headless)
         return run_window(&o, path);
     if (path)

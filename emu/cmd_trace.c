@@ -222,7 +222,7 @@ static int run(int argc, char **argv)
                                   argv, &args, 1, 1);
     if (status >= 0)
         return status;
-    if (!vm_out_spares(t.o.out, args.item[0], &err))
+    if (!vm_input_check(&t.o.input, &err) || !vm_out_spares(t.o.out, args.item[0], &err))
         return fail(VM_EXIT_USAGE, &err);
     if (!vm_input_load(&t.input, args.item[0], &t.o.input, &err, &report)) {
         if (report)

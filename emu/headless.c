@@ -78,6 +78,17 @@ static void run(const struct run *r, uint64_t limit)
     vm_progress_end(&progress);
 }
 
+/* What the UART still holds when the firmware is lost or ends itself: it was meant to be read. */
+static void drain(struct vm_rig *rig)
+{
+    for (int events = 0; events < 4 * VM_UART_FIFO; events++) {
+        uint64_t next = vm_uart_next(&rig->board->uart);
+        if (next == VM_NEVER)
+            return;
+        vm_machine_run(rig->machine, next + 1);
+    }
+}
+
 /* ---- the outcome --------------------------------------------------------------------------------
  */
 
@@ -140,14 +151,6 @@ static int outcome(const struct vm_rig *rig, const struct vm_input *input, bool 
 /* ---- all of it ----------------------------------------------------------------------------------
  */
 
-static int check(const struct vm_headless *h, const struct vm_input *input, struct crt_error *err)
-{
-    if (input->has_firmware || (!h->console && !h->gdb))
-        return VM_EXIT_OK;
-    crt_fail(err, "%s: %s has no firmware", h->console ? "--console" : "--gdb", input->name);
-    return VM_EXIT_USAGE;
-}
-
 static bool open_rig(const struct vm_headless *h, const struct vm_settings *settings,
                      const struct vm_input *input, struct vm_rig *rig, struct crt_error *err)
 {
@@ -194,6 +197,8 @@ static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct v
     uint64_t from = rig->machine->now;
     if (ok)
         run(&r, limit);
+    if (ok && h->console)
+        drain(rig);
     part(&r);
     if (ok && !h->console && !h->gdb)
         say_speed(rig, input, from, seconds() - begin);
@@ -207,9 +212,7 @@ int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,
     struct vm_rig rig;
     bool left = false;
     uint64_t length = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
-    int status = check(h, input, err);
-    if (status)
-        return status;
+    int status;
     if (h->length.given && !vm_time_ps(&h->length, settings->tick, &length, err))
         return VM_EXIT_USAGE;
     if (!open_rig(h, settings, input, &rig, err))

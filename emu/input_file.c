@@ -196,6 +196,21 @@ static size_t escape(const char *p, char *byte)
     return 3;
 }
 
+bool vm_input_check(const struct vm_input_options *o, struct crt_error *err)
+{
+    char byte;
+    size_t n;
+    for (const char *p = o->type ? o->type : ""; *p; p++) {
+        if (*p != '\\')
+            continue;
+        if ((n = escape(p + 1, &byte)) == 0)
+            return crt_fail(err, "--type: '%.4s' is no escape; use \\n \\r \\t \\e \\\\ or \\xHH",
+                            p);
+        p += n;
+    }
+    return true;
+}
+
 static bool take_typed(struct vm_input *in, const char *text, struct crt_error *err)
 {
     if (!in->has_firmware)
@@ -205,12 +220,8 @@ static bool take_typed(struct vm_input *in, const char *text, struct crt_error *
         return crt_fail(err, "not enough memory for --type");
     for (const char *p = text; *p; p++) {
         char byte = *p;
-        size_t n = *p == '\\' ? escape(p + 1, &byte) : 0;
-        if (*p == '\\' && n == 0)
-            return crt_fail(err, "--type: '%.4s' is no escape; use \\n \\r \\t \\e \\\\ or \\xHH",
-                            p);
+        p += *p == '\\' ? escape(p + 1, &byte) : 0;
         in->typed[in->typed_length++] = byte;
-        p += n;
     }
     return true;
 }

@@ -43,6 +43,9 @@ struct vm_input {
     size_t count;
 };
 
+/* Whether the options are such as can be used: escapes of --type. */
+bool vm_input_check(const struct vm_input_options *options, struct crt_error *err);
+/* Options must have been checked. */
 bool vm_input_load(struct vm_input *input, const char *path, const struct vm_input_options *options,
                    struct crt_error *err, char **report);
 void vm_input_free(struct vm_input *input);

@@ -96,7 +96,7 @@ bool vm_machine_boot(struct vm_machine *m, const struct vm_elf *elf,
     m->beside = display ? display->entry & ~1u : VM_NO_ENTRY;
     vm_refreshes_flow(&m->refreshes, (struct vm_flow){.head = VM_NO_HEAD});
     m->refreshes.declared = false;
-    vm_board_load(m->desc.board, elf);
+    vm_board_load(m->desc.board, elf, m->now);
     return true;
 }
 

@@ -12,9 +12,9 @@
  *             tick (or not: VM_HALT), and resumes it at the next tick after a pen or character
  *             interrupt. Instead of a display processor a recording of beam pieces can drive the
  *             tube.
- * Time:       picoseconds since power-on. At equal times: tick, word, console, timer, processor. An
- *             instruction begun at t comes after the word fetched at t; the words fetched after t
- *             see what it stored. What the display processor reports (interrupt lines) rises when
+ * Time:       picoseconds since power-on. At equal times: tick, interrupt line, word, console, timer,
+ *             processor. An instruction begun at t comes after the word fetched at t; the words
+ *             fetched after t see what it stored. What the display processor reports (interrupt lines) rises when
  *             the word that causes it is done; its registers show what the word leads to from its
  *             fetch on.
  * Refresh:    emu/refresh.h. Refreshes are counted from 1 as they end.
@@ -142,7 +142,7 @@ bool vm_machine_run_mark(struct vm_machine *m, uint32_t mark, uint64_t limit);
 bool vm_machine_run_end(struct vm_machine *m, uint64_t limit); /* the firmware ends or is lost */
 /* rv_retired() is `retired`, at once when it is that or more already. */
 bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t limit);
-/* m->dpu.words is `words`. */
+/* m->dpu.words is `words`; what else happens when the last one is fetched has happened, too. */
 bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit);
 
 /* A copy that goes on alone, without tube and console: for looking ahead. `copy` need not be
@@ -157,9 +157,9 @@ void vm_machine_step(struct vm_machine *m);
 /* The firmware has ended itself; with which exit status. */
 bool vm_machine_exited(const struct vm_machine *m, int *status);
 
-/* All of the machine but its tube, between two events: board and console, too. When the machine has a tube, that must have
- * been loaded before, and belong to the same instant. A machine whose loading failed is fit to be
- * initialised or loaded again, for nothing else. */
+/* All of the machine but its tube, between two events: board and console, too. When the machine has
+ * a tube, that must have been loaded before, and belong to the same instant. A machine whose loading
+ * failed is fit to be initialised or loaded again, for nothing else. */
 void vm_machine_state(struct vm_machine *m, struct crt_state *s);
 
 #endif

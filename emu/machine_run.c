@@ -154,12 +154,20 @@ static bool reached(const struct vm_machine *m, const struct goal *g)
     return false;
 }
 
-/* The goal is reached: from here on everything else only catches up with its moment. What a word
- * brings about has happened when the word is done. */
-static void come(struct vm_machine *m, struct run *r)
+/* When what has just been reached has happened. What a word brings about has when the word is done;
+ * at the time of its fetch others have their turn, too. */
+static uint64_t moment_of(const struct vm_machine *m, const struct goal *g)
 {
-    bool by_word = r->goal.kind == GOAL_REFRESH || r->goal.kind == GOAL_STOP;
-    r->until = by_word && m->dpu.t > m->now && !m->refreshes.declared ? m->dpu.t : m->now;
+    bool by_word = g->kind == GOAL_STOP || (g->kind == GOAL_REFRESH && !m->refreshes.declared);
+    if (by_word && m->dpu.t > m->now)
+        return m->dpu.t;
+    return g->kind == GOAL_WORDS ? m->now + 1 : m->now;
+}
+
+/* The goal is reached: from here on everything else only catches up with its moment. */
+static void come(struct run *r, uint64_t moment)
+{
+    r->until = moment;
     r->came = true;
     r->goal.kind = GOAL_NONE;
 }
@@ -201,8 +209,8 @@ static void wait_processor(struct vm_machine *m, uint64_t t)
 /* ---- whose turn it is ---------------------------------------------------------------------------
  */
 
-/* In order of precedence at equal times. */
-enum source { SOURCE_TICK, SOURCE_WORD, SOURCE_WIRES, SOURCE_CONSOLE, SOURCE_BOARD, SOURCE_COUNT };
+/* In order of precedence at equal times. A line changes before a word that would change it again. */
+enum source { SOURCE_TICK, SOURCE_WIRES, SOURCE_WORD, SOURCE_CONSOLE, SOURCE_BOARD, SOURCE_COUNT };
 
 static uint64_t console_next(const struct vm_machine *m)
 {
@@ -287,7 +295,7 @@ static void take_turn(struct vm_machine *m, enum source who, const uint64_t next
 static void run(struct vm_machine *m, struct run *r)
 {
     if (r->goal.kind != GOAL_NONE && reached(m, &r->goal))
-        come(m, r);
+        come(r, m->now);
     while (!r->stopped) {
         uint64_t next[SOURCE_COUNT];
         list_next(m, next);
@@ -300,7 +308,7 @@ static void run(struct vm_machine *m, struct run *r)
         else
             break;
         if (r->goal.kind != GOAL_NONE && reached(m, &r->goal))
-            come(m, r);
+            come(r, moment_of(m, &r->goal));
     }
     if (!r->stopped) {
         wait_processor(m, r->until);

@@ -8,9 +8,6 @@
 /* Later times leave too little of 64 bits to go on, ps. */
 #define LATEST (UINT64_C(1) << 63)
 
-/* A word takes less, ps: ticks that fall within it are this far back at most. */
-#define LONGEST (UINT64_C(1) << 51)
-
 static void refresh_state(struct vm_refresh *r, struct crt_state *s)
 {
     crt_state_u64(s, &r->number);
@@ -83,15 +80,12 @@ static bool sane_program(const struct vm_machine *m)
            !(m->has_program && (m->recording.count || m->desc.board || m->entry == VM_NO_ENTRY));
 }
 
-/* The tick before the next one has happened. The next one has not, unless it falls within a word
- * after whose end the machine paused. */
+/* The tick before the next one has happened, the next one has not. */
 static bool sane_time(const struct vm_machine *m)
 {
-    if (m->now >= LATEST || m->loaded > m->now || m->ticks == 0 ||
-        m->ticks - 1 > crt_tick_at(m->desc.tick, m->now))
-        return false;
-    uint64_t next = crt_tick_time(m->desc.tick, m->ticks);
-    return next >= m->now || (m->dpu.t >= m->now && m->now - next <= LONGEST);
+    return m->now < LATEST && m->loaded <= m->now && m->ticks > 0 &&
+           m->ticks - 1 <= crt_tick_at(m->desc.tick, m->now) &&
+           crt_tick_time(m->desc.tick, m->ticks) >= m->now;
 }
 
 static bool sane_counts(const struct vm_machine *m)

@@ -46,6 +46,9 @@ static uint64_t offer(void *ctx, const struct crt_stroke *stroke)
 
 void vm_line(struct vm_machine *m, unsigned line, bool level, uint64_t t)
 {
+    bool is = (bool)(m->desc.board->irq.pending >> line & 1);
+    if (is == level) /* it was to rise, and START came before that */
+        return;
     if (m->hooks.line)
         m->hooks.line(m->hooks.ctx, t, line, level);
     vm_irq_set(&m->desc.board->irq, line, level, t);

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "emu/command.h"
-#include "emu/debug/gdb_machine.h"
+#include "emu/debug/gdb_past.h"
 #include "emu/trouble.h"
 
 #define LONGEST_FRAME_S 0.05 /* a late frame does not make the machine hurry after it */
@@ -44,7 +44,9 @@ static void run_machine(struct vm_show *show, uint64_t until)
     struct vm_machine *m = show->program->rig.machine;
     struct vm_gdb *gdb = show->desc->gdb;
     if (gdb && m->desc.board) {
-        struct vm_gdb_target target = vm_gdb_machine(m);
+        struct vm_shown *p = show->program;
+        struct vm_gdb_target target =
+            p->history ? vm_gdb_with_past(&p->past, m, p->history) : vm_gdb_machine(m);
         if (vm_gdb_run(gdb, &target, until, DEBUGGER_MS) != VM_GDB_OVER)
             return;
         show->quit |= vm_gdb_killed(gdb);
@@ -65,7 +67,7 @@ static void expose(struct vm_show *show, uint64_t until)
     show->film_ready = film->complete || crt_film_end(show->program->rig.tube, film);
     if (show->film_ready) {
         crt_glass_film(show->glass, film, &show->program->settings.phosphor);
-    } else if (m->now == from) { /* it stands: what was gathered before is what there is to see */
+    } else if (m->now <= from) { /* it stands, or has gone back: what was gathered before stays */
         *film = before;
         show->film_ready = film->complete;
     }
@@ -187,6 +189,7 @@ static void loop(struct vm_show *show)
         double now = vm_window_time();
         look_after_program(show, now);
         run_frame(show, now);
+        vm_show_note(show);
         vm_show_status(show, now);
         draw(show, now);
     }
@@ -251,6 +254,7 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
         show->desc = desc;
         show->scale = desc->scale;
         show->rom = -1;
+        show->unit = VM_UNIT_REFRESH;
         show->touring = desc->path == NULL;
         ok = show->touring ? vm_roms_find(&show->roms, desc->roms, err) : check_program(desc, err);
     }

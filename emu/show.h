@@ -15,6 +15,8 @@
 #define EMU_SHOW_H
 
 #include "emu/debug/gdb_server.h"
+#include "emu/debug/gdb_past.h"
+#include "emu/debug/history.h"
 #include "emu/hud.h"
 #include "emu/picture.h"
 #include "emu/rig.h"
@@ -35,7 +37,7 @@ struct vm_show_desc {
     struct vm_time length; /* close after this much simulated time, when given */
     bool console;          /* firmware's console is stdin and stdout */
     const struct vm_saved_options *saved;
-    struct vm_gdb *gdb;    /* a debugger may come here; NULL: none */
+    struct vm_gdb *gdb; /* a debugger may come here; NULL: none */
 };
 
 int vm_show(const struct vm_show_desc *desc, struct crt_error *err);
@@ -51,6 +53,8 @@ struct vm_shown {
     struct crt_glass_settings light;
     struct vm_rig rig;
     struct crt_film film;
+    struct vm_history *history; /* NULL: no memory for it, or there is nothing to step by */
+    struct vm_gdb_past past;    /* a debugger's way to it */
 };
 
 struct vm_show {
@@ -74,6 +78,7 @@ struct vm_show {
     /* Pace. */
     double scale, remainder_ps, last_time;
     bool paused, step, skip, quit;
+    enum vm_unit unit;         /* of steps */
     double speed, speed_since; /* measured: simulated seconds a second */
     uint64_t speed_from;
 
@@ -101,6 +106,15 @@ bool vm_show_tour(struct vm_show *show, int step, struct crt_error *err);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
 void vm_show_status(struct vm_show *show, double now);
+
+/* show_step.c: steps of show->unit, back (−1) and forward (1); the machine stands there, paused, and the
+ * light of the tick that ends there is shown. */
+void vm_show_step(struct vm_show *show, int direction);
+void vm_show_next_unit(struct vm_show *show);
+/* Remembers the run as it goes; what came from outside; that it begins anew. */
+void vm_show_note(struct vm_show *show);
+void vm_show_mark(struct vm_show *show);
+void vm_show_forget(struct vm_show *show);
 
 /* What the status line says. */
 struct vm_status {

@@ -21,6 +21,8 @@ static const char *const help[] = {
     "B C F\tchoose brightness, contrast or focus",
     "Up Down\tturn the chosen knob",
     "0\tall knobs neutral",
+    "Left Right\tstep back, step forward, and pause",
+    "W\tchoose what steps are: a refresh, a display word, an instruction",
     "S\tskip the dark time to the next refresh (for slow motion)",
     "R\tload the file again (it is loaded when it changes, too)",
     "1\treal time again",
@@ -64,7 +66,7 @@ static void toggle_pause(struct vm_show *show)
     show->paused = !show->paused;
     show->rom_since = vm_window_time();
     show->speed_since = 0;
-    vm_show_say(show, show->paused ? "paused - F5 goes on, F6 steps by a refresh" : "");
+    vm_show_say(show, show->paused ? "paused - F5 goes on, F6 shows one refresh" : "");
 }
 
 static void step(struct vm_show *show)
@@ -102,6 +104,7 @@ static void turn_knob(struct vm_show *show, int direction)
     *value = fmin(fmax(*value, low[k]), high[k]);
     show->knobs_touched = true;
     crt_tube_set_knobs(show->program->rig.tube, show->knobs);
+    vm_show_mark(show);
     say_knob(show);
 }
 
@@ -110,6 +113,7 @@ static void reset_knobs(struct vm_show *show)
     show->knobs = (struct crt_knobs){0, 1, 0};
     show->knobs_touched = true;
     crt_tube_set_knobs(show->program->rig.tube, show->knobs);
+    vm_show_mark(show);
     vm_show_say(show, "all knobs neutral");
 }
 
@@ -165,6 +169,13 @@ static void chord(struct vm_show *show, enum vm_key key)
     case VM_KEY_UP:
     case VM_KEY_DOWN:
         turn_knob(show, key == VM_KEY_UP ? 1 : -1);
+        break;
+    case VM_KEY_LEFT:
+    case VM_KEY_RIGHT:
+        vm_show_step(show, key == VM_KEY_RIGHT ? 1 : -1);
+        break;
+    case 'W':
+        vm_show_next_unit(show);
         break;
     case '0':
         reset_knobs(show);

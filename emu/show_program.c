@@ -58,6 +58,7 @@ void vm_show_close(struct vm_shown *program)
     if (!program)
         return;
     crt_film_free(&program->film);
+    vm_history_destroy(program->history);
     vm_rig_close(&program->rig);
     vm_input_free(&program->input);
     vm_settings_free(&program->settings);
@@ -83,7 +84,13 @@ static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, st
     /* --load-state is for the program that the show begins with. */
     if (!show->program && !vm_saved_load(d->saved, &p->rig, &p->settings, &p->input, err))
         return false;
-    return crt_film_init(&p->film, p->rig.tube, err);
+    if (!crt_film_init(&p->film, p->rig.tube, err))
+        return false;
+    /* Without memory for it the show goes on, only not back. */
+    struct crt_error lost;
+    if (!p->input.is_recording)
+        p->history = vm_history_create(&(struct vm_history_desc){.rig = &p->rig}, &lost);
+    return true;
 }
 
 static struct vm_shown *prepare(struct vm_show *show, const char *path, const char *tube,
@@ -131,6 +138,8 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
     note_time(show);
     tint_text(show);
     begin_measuring(show);
+    if (!program->rig.board && show->unit == VM_UNIT_INSTRUCTION)
+        show->unit = VM_UNIT_REFRESH;
     show->step = show->paused;
     snprintf(title, sizeof title, "%s - kinescope", program->input.name);
     vm_window_set_title(show->window, title);
@@ -183,6 +192,7 @@ void vm_show_reload(struct vm_show *show, bool force)
     vm_input_free(&show->program->input);
     show->program->input = input;
     note_time(show);
+    vm_show_forget(show);
     show->trouble_shown = false;
     vm_show_say(show, "loaded again");
 }

@@ -25,7 +25,7 @@ flags="-std=c11 -D_POSIX_C_SOURCE=200809L -DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUC
 
 # Objects are rebuilt when the source, any header or this script (the flags) is newer: there is no make
 # in between.
-newest_header=$(ls -t crt/*.h display_file/*.h emu/*.h emu/*/*.h raster/*.h input/*.h tests/support/*.h 2>/dev/null | head -n 1)
+newest_header=$(ls -t crt/*.h display_file/*.h emu/*.h emu/*/*.h raster/*.h input/*.h tests/support/*.h tests/fuzz/*.h 2>/dev/null | head -n 1)
 object() { # SOURCE EXTRA-FLAGS
     o="$out/$1.o"
     if [ ! -f "$o" ] || [ "$1" -nt "$o" ] || [ "$newest_header" -nt "$o" ] || [ "$0" -nt "$o" ]; then

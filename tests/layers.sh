@@ -2,7 +2,8 @@
 # layers.sh — includes go one way:
 #
 #   roms -> only *_regs.h and memmap.h;   emu -> display_file, raster, input -> crt;   tests -> anything
-#   within emu: emu/cpu knows no other folder but crt, emu/board only emu/cpu, emu/debug both and emu
+#   within emu: emu/cpu knows no other folder but crt, emu/board only emu/cpu, emu/debug both and the
+#   machine; the files of the machine (see below) know neither emu/debug nor the front ends
 #
 # and only the GLFW, OSMesa and EGL files touch a window system.
 set -eu
@@ -19,9 +20,19 @@ bad=$(
     allowed emu 'emu|display_file|raster|input|crt'
     allowed emu/cpu 'emu/cpu|crt'
     allowed emu/board 'emu/board|emu/cpu|emu/memmap\.h|crt'
-    allowed emu/debug 'emu|display_file|crt'
+    # emu/debug stands on these files of emu, and front ends on emu/debug; so that this has a direction,
+    # these include only each other.
+    machine='(machine|machine_parts|rig|settings|input_file|console|refresh|flow|trouble|quantity|options|out_file|memmap)'
+    allowed emu/debug "emu/debug|emu/board|emu/cpu|emu/$machine\\.h|display_file|crt"
+    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"emu/' emu/*.[ch] 2>/dev/null |
+        grep -E "^emu/(machine_[a-z]+|$machine)\\.[ch]:" |
+        grep -vE "\"emu/($machine\\.h|board/|cpu/)" || true
     grep -rnE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' roms --include='*.[chS]' 2>/dev/null |
         grep -vE '"(roms/|[a-z_/]*_regs\.h|emu/memmap\.h)' || true
+    # What the tools of emu/debug look into does not know of them: only front ends do.
+    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"emu/debug/' emu/machine*.[ch] emu/rig.[ch] \
+        emu/settings.[ch] emu/input_file.[ch] emu/console.[ch] emu/refresh.[ch] emu/flow.[ch] emu/trouble.[ch] \
+        emu/moment.[ch] emu/terminal.[ch] emu/trace_lines.[ch] emu/out_file.[ch] 2>/dev/null || true
     # A path that goes up hides where it leads.
     grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"[^"]*\.\./' ./*/*.[ch] ./*/*.inc ./emu/*/*.[ch] ./emu/*/*.inc 2>/dev/null |
         sed 's|^\./||' || true

@@ -227,7 +227,7 @@ struct vm_board *vm_board_create(struct crt_rate clock, const struct vm_uart_out
     if (!b || !memory || !init_processor(b)) {
         free(memory);
         free(b);
-        crt_fail(err, "out of memory for the processor's board; close other programs.");
+        crt_fail(err, "out of memory for the processor's board; close other programs");
         return NULL;
     }
     b->clock = clock;
@@ -248,10 +248,15 @@ void vm_board_destroy(struct vm_board *board)
 
 /* ---- program --------------------------------------------------------------------------------------- */
 
-static void reset(struct vm_board *b)
+/* The clock of a processor that had ended stood still. */
+static void reset(struct vm_board *b, uint64_t t)
 {
-    uint64_t t = vm_board_now(b);
+    uint64_t cycle = vm_board_cycle(b, t);
 
+    if (cycle > b->cpu.cycle) {
+        b->cpu.idle += cycle - b->cpu.cycle;
+        b->cpu.cycle = cycle;
+    }
     rv_reset(&b->cpu);
     vm_uart_reset(&b->uart, t);
     vm_clint_reset(&b->clint, t);
@@ -283,11 +288,11 @@ static void clear_memory(struct vm_board *b)
             memset(b->memory + at, 0, sizeof zero);
 }
 
-void vm_board_load(struct vm_board *board, const struct vm_elf *elf)
+void vm_board_load(struct vm_board *board, const struct vm_elf *elf, uint64_t t)
 {
     clear_memory(board);
     rv_writable(&board->cpu);
-    reset(board);
+    reset(board, t);
     for (int i = 0; i < elf->segments; i++)
         load_segment(board, &elf->segment[i]);
     rv_changed(&board->cpu, MAP_PROGRAM, MAP_PROGRAM + MAP_PROGRAM_SIZE);

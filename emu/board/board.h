@@ -53,9 +53,9 @@ struct vm_board *vm_board_create(struct crt_rate clock, const struct vm_uart_out
                                  struct crt_error *err);
 void vm_board_destroy(struct vm_board *board);
 
-/* Power-on with a program: clears program memory, resets processor and devices, copies the segments,
- * protects the read-only ones, sets pc to the entry. The cycle count goes on. */
-void vm_board_load(struct vm_board *board, const struct vm_elf *elf);
+/* Power-on with a program at t: clears program memory, resets processor and devices, copies the
+ * segments, protects the read-only ones, sets pc to the entry. The cycle count goes on. */
+void vm_board_load(struct vm_board *board, const struct vm_elf *elf, uint64_t t);
 
 /* When the processor begins cycle n, and the first cycle that begins at or after t. */
 uint64_t vm_board_time(const struct vm_board *board, uint64_t cycle);

@@ -117,6 +117,12 @@ void vm_uart_settle(struct vm_uart *u, uint64_t t)
 
 /* ---- receiver -------------------------------------------------------------------------------------- */
 
+void vm_uart_listen(struct vm_uart *u, uint64_t t)
+{
+    uint64_t clock = clock_from(t) + 1;
+    u->ready_from = clock > u->ready_from ? clock : u->ready_from;
+}
+
 /* The time-out counts from the last byte that came in or went out, while there is one left. */
 static void restart_timeout(struct vm_uart *u, uint64_t clock)
 {
@@ -137,8 +143,10 @@ static void arrive(struct vm_uart *u, uint8_t byte, uint64_t clock)
     restart_timeout(u, clock);
 }
 
-void vm_uart_clear_receiver(struct vm_uart *u)
+void vm_uart_clear_receiver(struct vm_uart *u, uint64_t t)
 {
+    if (u->rx.count > 0)
+        vm_uart_listen(u, t);
     clear(&u->rx);
     u->timeout_at = UINT64_MAX;
     u->timeout_pending = false;
@@ -151,6 +159,7 @@ uint8_t vm_uart_take(struct vm_uart *u, uint64_t t)
     if (u->rx.count == 0)
         return 0;
     byte = take(&u->rx);
+    vm_uart_listen(u, t);
     u->timeout_pending = false;
     restart_timeout(u, clock_from(t));
     return byte;

@@ -19,7 +19,10 @@ void vm_uart_settle(struct vm_uart *u, uint64_t t);
 uint8_t vm_uart_take(struct vm_uart *u, uint64_t t);
 void vm_uart_put(struct vm_uart *u, uint8_t byte, uint64_t t);
 
-void vm_uart_clear_receiver(struct vm_uart *u);
+void vm_uart_clear_receiver(struct vm_uart *u, uint64_t t);
+/* At t the receiver has become able to take a byte: the next one is there a clock later at the
+ * earliest, when the access that made room has ended, however the run is cut into pieces. */
+void vm_uart_listen(struct vm_uart *u, uint64_t t);
 /* But not the byte being shifted out. */
 void vm_uart_clear_transmitter(struct vm_uart *u);
 

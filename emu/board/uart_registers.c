@@ -25,22 +25,24 @@ static uint8_t modem_lines(uint8_t mcr)
 }
 
 /* A delta bit says that its line has changed; of RI, that it has gone off. */
-static void write_modem_control(struct vm_uart *u, uint8_t value)
+static void write_modem_control(struct vm_uart *u, uint8_t value, uint64_t t)
 {
     uint8_t before = modem_lines(u->mcr), after = modem_lines(value & MCR_BITS);
     unsigned changed = (before ^ after) & ~(unsigned)(after & MSR_RI);
 
+    if (u->mcr & ~value & MCR_LOOP)
+        vm_uart_listen(u, t);
     u->mcr = value & MCR_BITS;
     u->modem_delta |= (uint8_t)(changed >> 4);
 }
 
 /* The other bits take only together with the enable bit. */
-static void write_fifo_control(struct vm_uart *u, uint8_t value)
+static void write_fifo_control(struct vm_uart *u, uint8_t value, uint64_t t)
 {
     bool changed = (value ^ u->fcr) & FCR_ENABLE;
 
     if (changed || (value & FCR_ENABLE && value & FCR_CLEAR_RX))
-        vm_uart_clear_receiver(u);
+        vm_uart_clear_receiver(u, t);
     if (changed || (value & FCR_ENABLE && value & FCR_CLEAR_TX))
         vm_uart_clear_transmitter(u);
     u->fcr = value & FCR_ENABLE ? value & (FCR_ENABLE | FCR_TRIGGER) : 0;
@@ -130,13 +132,13 @@ static void write_register(struct vm_uart *u, uint32_t offset, uint8_t value, ui
             write_interrupt_enable(u, value);
         break;
     case UART_FCR:
-        write_fifo_control(u, value);
+        write_fifo_control(u, value, t);
         break;
     case UART_LCR:
         u->lcr = value;
         break;
     case UART_MCR:
-        write_modem_control(u, value);
+        write_modem_control(u, value, t);
         break;
     case UART_SCR:
         u->scr = value;

@@ -47,9 +47,10 @@ enum rv_cause {
 /* Interrupt bits in mip and mie, and their causes. External, software, timer: in this order. */
 enum { RV_INT_SOFTWARE = 3, RV_INT_TIMER = 7, RV_INT_EXTERNAL = 11 };
 
-/* Everything outside program memory. `width` is 1, 2 or 4 bytes, the address is aligned to it.
- * False: access fault. cpu->cycle is the access's own clock while they run. They may call
- * rv_set_interrupt and rv_attention, nothing else of the processor. */
+/* Everything outside program memory. `width` is 1, 2 or 4 bytes, the address is aligned to it, and
+ * a value to be stored has no bits above it. False: access fault. cpu->cycle is the access's own
+ * clock while they run. They may call rv_set_interrupt and rv_attention, nothing else of the
+ * processor. */
 struct rv_bus {
     void *ctx;
     bool (*load)(void *ctx, uint32_t address, unsigned width, uint32_t *value);

@@ -252,6 +252,17 @@ static void join(struct rv_entry *entry, unsigned first, unsigned second)
             entry->op = pairs[i].both;
 }
 
+void rv_part(struct rv_entry *entry)
+{
+    static const uint8_t first_of[256] = {
+#define PAIR(first, second) [RV_DO_##first##_##second] = RV_DO_##first,
+        RV_ALL_PAIRS(PAIR)
+#undef PAIR
+    };
+    if (first_of[entry->op] != 0)
+        entry->op = first_of[entry->op];
+}
+
 /* Words up to the next checkpoint. */
 static void decode_run(struct rv_cpu *cpu, struct rv_entry *entry, uint32_t words)
 {

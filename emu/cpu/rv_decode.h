@@ -20,8 +20,7 @@
 #include "emu/cpu/rv.h"
 #include "emu/cpu/rv_op_list.h"
 
-#define RV_RUN    64 /* instructions between checkpoints */
-#define RV_JOINED 1  /* an entry may do the work of so many behind it, too: pairs */
+#define RV_RUN 64 /* instructions between checkpoints */
 
 enum rv_op {
     RV_DO_DECODE = 0,
@@ -65,5 +64,7 @@ static inline uint32_t rv_pc_of(const struct rv_cpu *cpu, const struct rv_entry 
 
 /* Fills the entry from memory, and those behind it up to the next checkpoint. */
 void rv_decode(struct rv_cpu *cpu, struct rv_entry *entry);
+/* An entry that does the work of the next one as well does its own alone from now on. */
+void rv_part(struct rv_entry *entry);
 
 #endif

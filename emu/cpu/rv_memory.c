@@ -34,10 +34,10 @@ static bool clip(const struct rv_cpu *cpu, uint32_t low, uint32_t high, uint32_t
     return true;
 }
 
-static bool read_only(const struct rv_cpu *cpu, uint32_t address)
+static bool read_only(const struct rv_cpu *cpu, uint32_t address, unsigned width)
 {
     for (int i = 0; i < cpu->rom_count; i++)
-        if (address >= cpu->rom[i].low && address < cpu->rom[i].high)
+        if (address + (width - 1) >= cpu->rom[i].low && address < cpu->rom[i].high)
             return true;
     return false;
 }
@@ -120,16 +120,14 @@ void rv_writable(struct rv_cpu *cpu)
     find_window(cpu);
 }
 
-/* Words first … last are to be decoded anew, and what was joined to them. */
+/* Words first … last are to be decoded anew. The entry before them stays, because another one may use
+ * its operands, but it does no longer do the work of the first of them. */
 static void forget(struct rv_cpu *cpu, uint32_t first, uint32_t last)
 {
-    if (first >= RV_JOINED)
-        first -= RV_JOINED;
-    else
-        first = 0;
-    struct rv_entry *from = cpu->entries + rv_index_of_word(first);
-    struct rv_entry *to = cpu->entries + rv_index_of_word(last) + 1;
-    memset(from, 0, (size_t)(to - from) * sizeof *from);
+    uint32_t from = rv_index_of_word(first), to = rv_index_of_word(last);
+    memset(cpu->entries + from, 0, (size_t)(to - from + 1) * sizeof *cpu->entries);
+    if (from > 0)
+        rv_part(cpu->entries + from - 1);
 }
 
 void rv_changed(struct rv_cpu *cpu, uint32_t low, uint32_t high)
@@ -154,9 +152,11 @@ bool rv_load(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t *val
 bool rv_store(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t value)
 {
     uint32_t offset = address - cpu->desc.memory_base;
+    if (width < 4)
+        value &= (1u << 8 * width) - 1;
     if (offset >= cpu->desc.memory_size)
         return cpu->desc.bus.store(cpu->desc.bus.ctx, address, width, value);
-    if (read_only(cpu, address))
+    if (read_only(cpu, address, width))
         return false;
     rv_bytes_put(cpu->desc.memory + offset, width, value);
     if (cpu->decoded[offset / PAGE])

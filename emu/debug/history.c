@@ -162,11 +162,6 @@ struct vm_history_extent vm_history_extent(const struct vm_history *h)
     return (struct vm_history_extent){h->count, h->used, h->count ? h->at[0].place.now : 0};
 }
 
-uint64_t vm_history_period(const struct vm_history *h)
-{
-    return h->period;
-}
-
 /* ---- going back -------------------------------------------------------------------------------- */
 
 /* Snapshot i again, and nothing after it. */
@@ -264,4 +259,14 @@ bool vm_history_rewind(struct vm_history *h, uint64_t cycle)
     while (i > 0 && h->at[i - 1].place.cycle >= cycle)
         i--;
     return i > 0 && recall(h, i - 1, &err);
+}
+
+bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err)
+{
+    if (h->count == 0)
+        return nothing(err);
+    size_t i = h->count - 1;
+    while (i > 0 && h->at[i].place.now > t && !h->at[i].marked)
+        i--;
+    return recall(h, i, err);
 }

@@ -13,7 +13,7 @@
  *             it between runs, as often as convenient.
  * Memory:     below the budget; when it is full, the snapshot goes whose gap is smallest for its
  *             age, so that the spacing grows with age.
- * Films:      none may be open on the rig's tube when going back.
+ * Films:      that are open on the rig's tube are cancelled by going back.
  * Ownership:  vm_history_create allocates, vm_history_destroy frees; the rig must outlive it.
  * Errors:     one sentence. Out of memory: there is less history.
  */
@@ -57,12 +57,16 @@ bool vm_history_back(struct vm_history *h, enum vm_unit unit, uint64_t n, struct
  * (emu/debug/gdb_target.h). */
 bool vm_history_rewind(struct vm_history *h, uint64_t cycle);
 
+/* Restores the last snapshot at or before `t` ps, but none from before the last mark; the first of all
+ * when there is none. False and a sentence: nothing is remembered. For who runs on from there
+ * himself. */
+bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err);
+
 /* How much is remembered. */
 struct vm_history_extent {
     size_t snapshots, bytes;
     uint64_t oldest; /* ps */
 };
 struct vm_history_extent vm_history_extent(const struct vm_history *h);
-uint64_t vm_history_period(const struct vm_history *h);
 
 #endif

@@ -7,8 +7,8 @@
  *             light, registers, traces. The bytes are the same whatever observed, on every host.
  * Loading:    into a rig opened with the same program, tube, phosphor and machine. Everything is
  *             checked; a rig whose loading failed is as it was before.
- * Light:      a rig without a tube passes over the tube's part; one with a tube needs it. None of
- *             its films may be open when loading.
+ * Light:      a rig without a tube passes over the tube's part; one with a tube needs it. Films
+ *             that are open on it are cancelled.
  * Ownership:  nothing is kept.
  * Errors:     one sentence that names the file.
  */

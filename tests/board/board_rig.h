@@ -49,7 +49,7 @@ static inline void board_load(struct board_rig *r, const struct code *code)
         .segments = 2,
         .entry = MAP_PROGRAM,
     };
-    vm_board_load(r->b, &elf);
+    vm_board_load(r->b, &elf, 0);
 }
 
 /* Ends the run with a status other than 0. */

@@ -407,12 +407,13 @@ static void read_only_text(void **state)
     const struct vm_elf_segment data = {
         MAP_PROGRAM + 0x2000, (const uint8_t *)"\0", 1, 1, true, true};
     struct vm_elf elf = {.segment = {data}, .segments = 1, .entry = MAP_PROGRAM + 0x2000};
-    uint64_t cycle = r.b->cpu.cycle;
-    vm_board_load(r.b, &elf);
+    uint64_t retired = rv_retired(&r.b->cpu);
+    vm_board_load(r.b, &elf, CRT_PS_PER_MS);
     assert_int_equal(r.b->cpu.state, RV_RUNNING);
     assert_int_equal(r.b->cpu.rom_count, 0);
     assert_int_equal(r.b->cpu.pc, MAP_PROGRAM + 0x2000);
-    assert_int_equal(r.b->cpu.cycle, cycle);
+    assert_int_equal(r.b->cpu.cycle, vm_board_cycle(r.b, CRT_PS_PER_MS));
+    assert_int_equal(rv_retired(&r.b->cpu), retired);
     for (uint32_t i = 0; i < MAP_PROGRAM_SIZE; i++)
         if (r.b->memory[i] != 0)
             fail_msg("memory[%u] is not 0", i);

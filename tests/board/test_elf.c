@@ -274,79 +274,79 @@ struct defect {
 #define WITH "-march=rv32imf -mabi=ilp32f"
 
 static const struct defect defect[] = {
-    {0, 0, 0, "t.elf: not an ELF file."},
-    {3, 0, 0, "t.elf: not an ELF file."},
-    {0, 1, 'M', "t.elf: not an ELF file."},
-    {4, 0, 0, "t.elf: cut short within its ELF header, after 4 bytes."},
-    {51, 0, 0, "t.elf: cut short within its ELF header, after 51 bytes."},
+    {0, 0, 0, "t.elf: not an ELF file"},
+    {3, 0, 0, "t.elf: not an ELF file"},
+    {0, 1, 'M', "t.elf: not an ELF file"},
+    {4, 0, 0, "t.elf: cut short within its ELF header, after 4 bytes"},
+    {51, 0, 0, "t.elf: cut short within its ELF header, after 51 bytes"},
     {4, 1, 2, "t.elf: a 64-bit ELF file; build it for 32 bits, with " WITH "."},
-    {5, 1, 2, "t.elf: a big-endian ELF file; the processor is little-endian."},
+    {5, 1, 2, "t.elf: a big-endian ELF file; the processor is little-endian"},
     {4, 1, 3,
      "t.elf: an ELF file of class 3, byte order 1, version 1, which do not exist; it is "
-     "damaged."},
+     "damaged"},
     {5, 1, 0,
      "t.elf: an ELF file of class 1, byte order 0, version 1, which do not exist; it is "
-     "damaged."},
+     "damaged"},
     {6, 1, 0,
      "t.elf: an ELF file of class 1, byte order 1, version 0, which do not exist; it is "
-     "damaged."},
+     "damaged"},
     {18, 2, 3,
      "t.elf: for machine 3, not for RISC-V (243); build it with a RISC-V compiler and " WITH "."},
-    {16, 2, 1, "t.elf: an object file; link it to an executable."},
-    {16, 2, 3, "t.elf: position-independent or a shared library; link it with -static -no-pie."},
-    {16, 2, 4, "t.elf: of ELF type 4, not an executable (2)."},
+    {16, 2, 1, "t.elf: an object file; link it to an executable"},
+    {16, 2, 3, "t.elf: position-independent or a shared library; link it with -static -no-pie"},
+    {16, 2, 4, "t.elf: of ELF type 4, not an executable (2)"},
     {36, 4, 3,
      "t.elf: has compressed instructions, which the processor has not; build all of it "
-     "with " WITH " (no c)."},
+     "with " WITH " (no c)"},
     {36, 4, 4,
      "t.elf: passes floats as doubles, which the processor has not; build it with " WITH "."},
     {36, 4, 6,
      "t.elf: passes floats as quadruples, which the processor has not; build it with " WITH "."},
     {36, 4, 8, "t.elf: for the embedded RV32E; build it with " WITH "."},
-    {42, 2, 56, "t.elf: program headers of 56 bytes, not 32; it is damaged."},
-    {28, 4, SIZE, "t.elf: cut short: its program headers end at byte 676 of 612."},
-    {28, 4, 0xFFFFFFF0, "t.elf: cut short: its program headers end at byte 4294967344 of 612."},
-    {TEXT - 1, 0, 0, "t.elf: cut short: its program headers end at byte 116 of 115."},
-    {44, 2, 0xFFFF, "t.elf: cut short: its program headers end at byte 2097172 of 612."},
-    {44, 2, 0, "t.elf: nothing in it to load."},
-    {PHDRS, 4, 2, "t.elf: dynamically linked; link it with -static."},
-    {PHDRS, 4, 3, "t.elf: dynamically linked; link it with -static."},
+    {42, 2, 56, "t.elf: program headers of 56 bytes, not 32; it is damaged"},
+    {28, 4, SIZE, "t.elf: cut short: its program headers end at byte 676 of 612"},
+    {28, 4, 0xFFFFFFF0, "t.elf: cut short: its program headers end at byte 4294967344 of 612"},
+    {TEXT - 1, 0, 0, "t.elf: cut short: its program headers end at byte 116 of 115"},
+    {44, 2, 0xFFFF, "t.elf: cut short: its program headers end at byte 2097172 of 612"},
+    {44, 2, 0, "t.elf: nothing in it to load"},
+    {PHDRS, 4, 2, "t.elf: dynamically linked; link it with -static"},
+    {PHDRS, 4, 3, "t.elf: dynamically linked; link it with -static"},
     {PHDRS + 16, 4, 33,
-     "t.elf: segment 0 has 33 bytes in the file but 32 in memory; it is damaged."},
-    {PHDRS + 20, 4, 0, "t.elf: segment 0 has 32 bytes in the file but 0 in memory; it is damaged."},
-    {PHDRS + 4, 4, SIZE - 31, "t.elf: cut short: segment 0 ends at byte 613 of 612."},
-    {PHDRS + 4, 4, 0xFFFFFFFF, "t.elf: cut short: segment 0 ends at byte 4294967327 of 612."},
-    {DATA + 7, 0, 0, "t.elf: cut short: segment 1 ends at byte 156 of 155."},
+     "t.elf: segment 0 has 33 bytes in the file but 32 in memory; it is damaged"},
+    {PHDRS + 20, 4, 0, "t.elf: segment 0 has 32 bytes in the file but 0 in memory; it is damaged"},
+    {PHDRS + 4, 4, SIZE - 31, "t.elf: cut short: segment 0 ends at byte 613 of 612"},
+    {PHDRS + 4, 4, 0xFFFFFFFF, "t.elf: cut short: segment 0 ends at byte 4294967327 of 612"},
+    {DATA + 7, 0, 0, "t.elf: cut short: segment 1 ends at byte 156 of 155"},
     {PHDRS + 12, 4, 0x7FFFFFFC,
      "t.elf: segment 0 is at 0x7ffffffc, 32 bytes long: not within program memory, 0x80000000 to "
-     "0x80ffffff; link it there."},
+     "0x80ffffff; link it there"},
     {PHDRS + 12, 4, 0x80FFFFE4,
      "t.elf: segment 0 is at 0x80ffffe4, 32 bytes long: not within program memory, 0x80000000 to "
-     "0x80ffffff; link it there."},
+     "0x80ffffff; link it there"},
     {PHDRS + 12, 4, 0xFFFFFFF0,
      "t.elf: segment 0 is at 0xfffffff0, 32 bytes long: not within program memory, 0x80000000 to "
-     "0x80ffffff; link it there."},
+     "0x80ffffff; link it there"},
     {PHDRS + 32 + 20, 4, 0xFFFFFFFF,
      "t.elf: segment 1 is at 0x80001000, 4294967295 bytes long: not within program memory, "
-     "0x80000000 to 0x80ffffff; link it there."},
+     "0x80000000 to 0x80ffffff; link it there"},
     {PHDRS + 32 + 12, 4, 0x8000001F,
-     "t.elf: two segments overlap at 0x8000001f; correct the linker script."},
+     "t.elf: two segments overlap at 0x8000001f; correct the linker script"},
     {PHDRS + 12, 4, 0x8000103C,
-     "t.elf: two segments overlap at 0x8000103c; correct the linker script."},
+     "t.elf: two segments overlap at 0x8000103c; correct the linker script"},
     {PHDRS + 20, 4, 0x00100000,
-     "t.elf: two segments overlap at 0x80001000; correct the linker script."},
+     "t.elf: two segments overlap at 0x80001000; correct the linker script"},
     {24, 4, 0x80000020,
      "t.elf: its entry 0x80000020 is in no executable segment; name it in the "
-     "linker script (ENTRY)."},
+     "linker script (ENTRY)"},
     {24, 4, 0x80001000,
      "t.elf: its entry 0x80001000 is in no executable segment; name it in the "
-     "linker script (ENTRY)."},
+     "linker script (ENTRY)"},
     {24, 4, 0,
      "t.elf: its entry 0x00000000 is in no executable segment; name it in the linker "
-     "script (ENTRY)."},
+     "script (ENTRY)"},
     {24, 4, 0x80000002,
      "t.elf: its entry 0x80000002 is not a multiple of 4, as the address of an "
-     "instruction is."},
+     "instruction is"},
 };
 
 static void defects(void **state)
@@ -387,7 +387,7 @@ static void many_segments(void **state)
                       8);
         assert_int_equal(parse(&elf, b, sizeof b, &copy, text), count == 16);
         if (count == 17)
-            assert_string_equal(text, "t.elf: more than 16 segments to load; link it with fewer.");
+            assert_string_equal(text, "t.elf: more than 16 segments to load; link it with fewer");
         for (int i = 1; i < elf.segments && count == 16; i++)
             assert_true(elf.segment[i - 1].address + 16 <= elf.segment[i].address);
         if (count == 16)

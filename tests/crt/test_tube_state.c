@@ -274,10 +274,16 @@ static void a_used_tube_forgets(void **state)
     struct bench *b = set_up(1);
     struct crt_tube *second = new_tube(b, plain);
     struct crt_state dark = save(second);
+    struct crt_film film;
+    struct crt_error err;
     uint32_t seed = 1;
     int next = 0;
     run_to(b, second, &next, 7 * TICK + 99);
+    assert_true(crt_film_init(&film, second, &err));
+    crt_film_open(second, &film, 7 * TICK + 99, 9 * TICK);
     load(second, &dark);
+    assert_false(crt_film_end(second, &film)); /* it is not open any more */
+    crt_film_free(&film);
     assert_true(crt_tube_totals(second).stored == 0);
     assert_int_equal(crt_tube_times(second).now, 0);
     run_to(b, b->tube, &b->next, 3 * TICK / 2);

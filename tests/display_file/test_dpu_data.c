@@ -3,21 +3,21 @@
 
 #include <math.h>
 
-static struct rig rig;
-static struct rig *const r = &rig;
+static struct dpu_rig rig;
+static struct dpu_rig *const r = &rig;
 
 static void expect_position(int x, int y)
 {
     assert_int_equal(r->dpu.x, x);
     assert_int_equal(r->dpu.y, y);
-    assert_int_equal(rig_reg(r, DF_XPR) & DF_XPR_X, x & 1023);
-    assert_int_equal(rig_reg(r, DF_YPR) & DF_YPR_Y, y & 1023);
+    assert_int_equal(dpu_rig_reg(r, DF_XPR) & DF_XPR_X, x & 1023);
+    assert_int_equal(dpu_rig_reg(r, DF_YPR) & DF_YPR_Y, y & 1023);
 }
 
 static void point_loads_both_coordinates(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 0 | 01777, 01776);
     expect_position(1023, 1022);
     assert_int_equal(r->count, 0);
@@ -25,14 +25,14 @@ static void point_loads_both_coordinates(void **state)
     RUN(r, 0114000, DF_BEAM_ON | 020000 | 010000 | 06000 | 5, 077770 & ~DF_BEAM_ON);
     expect_position(5, 01770);
     assert_int_equal(r->count, 1);
-    rig_expect_stroke(r, 0, 5, 01770, 5, 01770);
+    dpu_rig_expect_stroke(r, 0, 5, 01770, 5, 01770);
     assert_int_equal(r->strokes[0].source, 2);
 }
 
 static void point_takes_the_beam_bit_of_the_first_word(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 100, DF_BEAM_ON | 100);
     assert_int_equal(r->count, 0);
     RUN(r, 0114000, DF_BEAM_ON | 100, 100);
@@ -55,10 +55,10 @@ static void short_vector_has_signs_and_magnitudes(void **state)
         {DF_BEAM_ON | 5 << 7 | 0100, 5, 0}, /* minus zero */
     };
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        rig_init(r);
+        dpu_rig_init(r);
         RUN(r, 0114000, 500, 400, 0104000, cases[i].word);
         assert_int_equal(r->count, 1);
-        rig_expect_stroke(r, 0, 500, 400, 500 + cases[i].dx, 400 + cases[i].dy);
+        dpu_rig_expect_stroke(r, 0, 500, 400, 500 + cases[i].dx, 400 + cases[i].dy);
         expect_position(500 + cases[i].dx, 400 + cases[i].dy);
         assert_int_equal(r->strokes[0].source, 8);
     }
@@ -67,22 +67,22 @@ static void short_vector_has_signs_and_magnitudes(void **state)
 static void long_vector_has_signs_and_magnitudes(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0110000, DF_BEAM_ON | 01777, 01777);
-    rig_expect_stroke(r, 0, 0, 0, 1023, 1023);
+    dpu_rig_expect_stroke(r, 0, 0, 0, 1023, 1023);
     RUN(r, 0110000, DF_BEAM_ON | 020000 | 01777, 020000 | 01000);
-    rig_expect_stroke(r, 1, 1023, 1023, 0, 1023 - 01000);
+    dpu_rig_expect_stroke(r, 1, 1023, 1023, 0, 1023 - 01000);
     expect_position(0, 511);
     assert_int_equal(r->strokes[1].source, 2);
     /* Bits without meaning on a VT11: 14 of the second word, 12:10 of both. */
     RUN(r, 0110000, DF_BEAM_ON | 016000 | 3, DF_BEAM_ON | 016000 | 4);
-    rig_expect_stroke(r, 2, 0, 511, 3, 515);
+    dpu_rig_expect_stroke(r, 2, 0, 511, 3, 515);
 }
 
 static void vector_with_beam_off_moves(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0110000, 100, 200, 0104000, 10 << 7 | 20);
     assert_int_equal(r->count, 0);
     expect_position(110, 220);
@@ -91,7 +91,7 @@ static void vector_with_beam_off_moves(void **state)
 static void null_vector_is_skipped(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0104000, DF_BEAM_ON, DF_BEAM_ON | 020000 | 0100, 0);
     assert_int_equal(r->count, 0);
     assert_int_equal(r->dpu.t, 5 * FETCH);
@@ -103,50 +103,50 @@ static void null_vector_is_skipped(void **state)
 static void relative_point_moves_then_plots(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 100, 100, 0130000, DF_BEAM_ON | 3 << 7 | 4, 020000 | 10 << 7 | 0100 | 20,
         DF_BEAM_ON | 020000 | 1 << 7 | 1, DF_BEAM_ON);
     assert_int_equal(r->count, 3);
-    rig_expect_stroke(r, 0, 103, 104, 103, 104);
-    rig_expect_stroke(r, 1, 92, 85, 92, 85);
-    rig_expect_stroke(r, 2, 92, 85, 92, 85); /* a null move is still a point */
+    dpu_rig_expect_stroke(r, 0, 103, 104, 103, 104);
+    dpu_rig_expect_stroke(r, 1, 92, 85, 92, 85);
+    dpu_rig_expect_stroke(r, 2, 92, 85, 92, 85); /* a null move is still a point */
     assert_int_equal(r->strokes[1].source, 12);
 }
 
 static void graphplot_x_steps_y_first(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 7, 100, 0174100 | 5, 0120000, 50, DF_BEAM_ON | 60, 037777);
     assert_int_equal(r->count, 3); /* the beam bit is ignored */
-    rig_expect_stroke(r, 0, 50, 105, 50, 105);
-    rig_expect_stroke(r, 1, 60, 110, 60, 110);
-    rig_expect_stroke(r, 2, 1023, 115, 1023, 115);
+    dpu_rig_expect_stroke(r, 0, 50, 105, 50, 105);
+    dpu_rig_expect_stroke(r, 1, 60, 110, 60, 110);
+    dpu_rig_expect_stroke(r, 2, 1023, 115, 1023, 115);
     expect_position(1023, 115);
 }
 
 static void graphplot_y_steps_x_first(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 100, 7, 0174100 | 077, 0124000, 50, DF_BEAM_ON | 60, 02003);
     assert_int_equal(r->count, 3);
-    rig_expect_stroke(r, 0, 163, 50, 163, 50);
-    rig_expect_stroke(r, 1, 226, 60, 226, 60);
-    rig_expect_stroke(r, 2, 289, 3, 289, 3); /* 2000 is not a long vector here */
+    dpu_rig_expect_stroke(r, 0, 163, 50, 163, 50);
+    dpu_rig_expect_stroke(r, 1, 226, 60, 226, 60);
+    dpu_rig_expect_stroke(r, 2, 289, 3, 289, 3); /* 2000 is not a long vector here */
 }
 
 static void position_wraps_at_twelve_bits(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     /* 1023 four times, then 4 more: 4096 is 0 again. */
     RUN(r, 0110000, 01777, 0, 01777, 0, 01777, 0, 01777, 0, 4, 0);
     expect_position(0, 0);
     RUN(r, 0110000, 020000 | 1, 020000 | 2);
     expect_position(-1, -2);
-    assert_int_equal(rig_reg(r, DF_XPR), 01777);
-    assert_int_equal(rig_reg(r, DF_YPR), 01776);
+    assert_int_equal(dpu_rig_reg(r, DF_XPR), 01777);
+    assert_int_equal(dpu_rig_reg(r, DF_YPR), 01776);
     RUN(r, 0110000, 020000 | 01777, 0, 020000 | 01777, 0, 020000 | 1, 0);
     expect_position(-2048, -2);
     RUN(r, 0110000, 020000 | 1, 0);
@@ -159,7 +159,7 @@ static void position_wraps_at_twelve_bits(void **state)
 static void vector_across_the_edge_draws_nothing(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 1000, 500, 0110000, DF_BEAM_ON | 24, 0); /* to 1024: out */
     assert_int_equal(r->count, 0);
     expect_position(1024, 500);
@@ -168,7 +168,7 @@ static void vector_across_the_edge_draws_nothing(void **state)
     RUN(r, 0110000, DF_BEAM_ON | 23, 0); /* to 1023: on screen */
     assert_int_equal(r->count, 1);
     /* Wholly outside, in through the wrap and on to 1023: the wrap is not an edge to come in by. */
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0110000, 020000 | 01777, 0, 020000 | 01777, 0, DF_BEAM_ON | 020000 | 01777, 0);
     expect_position(1027, 0);
     RUN(r, 0110000, DF_BEAM_ON | 020000 | 4, 0);
@@ -179,24 +179,24 @@ static void vector_across_the_edge_draws_nothing(void **state)
 static void edge_indicator(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     /* In from the left sets it; START clears it. */
     RUN(r, 0114000, 0, 500, 0110000, 020000 | 10, 0, DF_BEAM_ON | 20, 0);
-    assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_EDGE, DF_MPR_EDGE);
-    rig_go(r, 01000);
-    assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_EDGE, 0);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR) & DF_MPR_EDGE, DF_MPR_EDGE);
+    dpu_rig_go(r, 01000);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR) & DF_MPR_EDGE, 0);
     /* Past the lower left corner along x + y = −5, and through it along x + y = 0. */
     RUN(r, 0114000, 0, 5, 0110000, 020000 | 10, 0, 10, 020000 | 10);
-    assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_EDGE, 0);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR) & DF_MPR_EDGE, 0);
     RUN(r, 0114000, 0, 10, 0110000, 020000 | 10, 0, 20, 020000 | 20);
-    assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_EDGE, DF_MPR_EDGE);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR) & DF_MPR_EDGE, DF_MPR_EDGE);
     /* Out of the screen does not set it for vectors, but does for relative points. */
     RUN(r, 0114000, 1020, 5, 0110000, DF_BEAM_ON | 10, 0);
-    assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_EDGE, 0);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR) & DF_MPR_EDGE, 0);
     RUN(r, 0114000, 1020, 5, 0130000, DF_BEAM_ON | 10 << 7);
-    assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_EDGE, DF_MPR_EDGE);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR) & DF_MPR_EDGE, DF_MPR_EDGE);
     RUN(r, 0114000, 1020, 5, 0130000, 10 << 7, 0114000, 5, 5);
-    assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_EDGE, 0);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR) & DF_MPR_EDGE, 0);
 }
 
 static uint16_t delta(int d)
@@ -218,25 +218,25 @@ static void edge_indicator_at_the_corners(void **state)
         for (int out = -1; out <= 1; out++) {
             int x = corners[i].x, y = corners[i].y, dx = corners[i].dx, dy = corners[i].dy;
             int away = x == 0 ? -out : out;
-            rig_init(r);
+            dpu_rig_init(r);
             RUN(r, 0114000, (uint16_t)x, (uint16_t)y, 0110000, delta(away - dx), delta(-dy),
                 delta(2 * dx), delta(2 * dy));
             expect_position(x + away + dx, y + dy);
-            assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_EDGE, out > 0 ? 0 : DF_MPR_EDGE);
+            assert_int_equal(dpu_rig_reg(r, DF_MPR) & DF_MPR_EDGE, out > 0 ? 0 : DF_MPR_EDGE);
         }
 }
 
 static void points_off_screen_stay_dark(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 1020, 5, 0130000, DF_BEAM_ON | 4 << 7, DF_BEAM_ON | 020000 | 1 << 7);
     assert_int_equal(r->count, 1);
-    rig_expect_stroke(r, 0, 1023, 5, 1023, 5);
+    dpu_rig_expect_stroke(r, 0, 1023, 5, 1023, 5);
     /* A lower screen ends at 767. */
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.screen = (struct crt_screen){1024, 768, 1024, 768};
-    rig_restart(r);
+    dpu_rig_restart(r);
     RUN(r, 0114000, DF_BEAM_ON | 10, 767, DF_BEAM_ON | 10, 768, 0110000, DF_BEAM_ON | 1, 0);
     assert_int_equal(r->count, 1);
 }
@@ -244,9 +244,9 @@ static void points_off_screen_stay_dark(void **state)
 static void line_goes_straight_between_its_ends(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.screen = (struct crt_screen){210, 157.5, 1024, 768};
-    rig_restart(r);
+    dpu_rig_restart(r);
     RUN(r, 0114000, 11, 22, 0110000, DF_BEAM_ON | 700, 500);
     assert_int_equal(r->count, 1);
     /* Unit u is centred at (u + ½) pitches from the edge. */

@@ -1,8 +1,8 @@
 /* One test per register and its write effects; START, RESUME, stop, sync, time-out. */
 #include "tests/support/dpu_rig.h"
 
-static struct rig rig;
-static struct rig *const r = &rig;
+static struct dpu_rig rig;
+static struct dpu_rig *const r = &rig;
 
 static void expect_event(size_t index, enum df_interrupt line, bool level, uint64_t t)
 {
@@ -15,12 +15,12 @@ static void expect_event(size_t index, enum df_interrupt line, bool level, uint6
 static void reset_state(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     assert_int_equal(r->dpu.state, DF_STOPPED);
-    assert_int_equal(rig_reg(r, DF_DPC), 0);
-    assert_int_equal(rig_reg(r, DF_MPR), 4 << 8);
-    assert_int_equal(rig_reg(r, DF_XPR), 0);
-    assert_int_equal(rig_reg(r, DF_YPR), 0);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 0);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR), 4 << 8);
+    assert_int_equal(dpu_rig_reg(r, DF_XPR), 0);
+    assert_int_equal(dpu_rig_reg(r, DF_YPR), 0);
     assert_true(r->dpu.pen_intensify);
     assert_false(r->dpu.pen_interrupt || r->dpu.stop_interrupt);
     /* Reset brings all that back, and drops interrupts, but not time. */
@@ -28,10 +28,10 @@ static void reset_state(void **state)
     assert_int_equal(r->event_count, 1);
     uint64_t t = r->dpu.t;
     df_dpu_reset(&r->dpu, 0);
-    assert_int_equal(rig_reg(r, DF_DPC), 0);
-    assert_int_equal(rig_reg(r, DF_MPR), 4 << 8);
-    assert_int_equal(rig_reg(r, DF_XPR), 0);
-    assert_int_equal(rig_reg(r, DF_YPR), 0);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 0);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR), 4 << 8);
+    assert_int_equal(dpu_rig_reg(r, DF_XPR), 0);
+    assert_int_equal(dpu_rig_reg(r, DF_YPR), 0);
     assert_true(r->dpu.pen_intensify);
     assert_false(r->dpu.pen_interrupt || r->dpu.stop_interrupt);
     assert_int_equal(r->dpu.words, 0);
@@ -44,54 +44,54 @@ static void reset_state(void **state)
 static void dpc_counts_past_the_word(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     LOAD(r, 0400, 0164000, 0164000);
     df_dpu_write(&r->dpu, DF_DPC, 0400, 0);
-    assert_int_equal(rig_reg(r, DF_DPC), 0400);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 0400);
     df_dpu_step(&r->dpu);
-    assert_int_equal(rig_reg(r, DF_DPC), 0402);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 0402);
     /* The last word of memory is followed by the first. */
     LOAD(r, 0177776, 0164000);
     LOAD(r, 0, 0164000, DF_STOP);
-    rig_go(r, 0177776);
-    assert_int_equal(rig_reg(r, DF_DPC), 4);
+    dpu_rig_go(r, 0177776);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 4);
 }
 
 static void even_write_starts_there(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0113777, 0174177, 0114000, 5, 6, 0100000, 'A' | 0101 << 8);
     /* START keeps position, intensity, mode, step and character … */
-    unsigned mpr = rig_reg(r, DF_MPR);
+    unsigned mpr = dpu_rig_reg(r, DF_MPR);
     assert_int_equal(mpr & DF_MPR_STOP, DF_MPR_STOP);
     df_dpu_write(&r->dpu, DF_DPC, 0200, 100 * US);
     assert_int_equal(r->dpu.state, DF_RUNNING);
-    assert_int_equal(rig_reg(r, DF_DPC), 0200);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 0200);
     assert_int_equal(r->dpu.t, 100 * US);
-    assert_int_equal(rig_reg(r, DF_MPR), mpr & ~(unsigned)DF_MPR_STOP);
-    assert_int_equal(rig_reg(r, DF_XPR), 077 << 10 | (5 + 28));
-    assert_int_equal(rig_reg(r, DF_YPR), 1 << 10 | 6);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR), mpr & ~(unsigned)DF_MPR_STOP);
+    assert_int_equal(dpu_rig_reg(r, DF_XPR), 077 << 10 | (5 + 28));
+    assert_int_equal(dpu_rig_reg(r, DF_YPR), 1 << 10 | 6);
     /* … but forgets half a datum and a pending address. */
     LOAD(r, 0, 0110000, DF_BEAM_ON | 9, DF_STOP);
     LOAD(r, 0200, 1, 2, DF_STOP);
     df_dpu_write(&r->dpu, DF_DPC, 0, r->dpu.t);
     df_dpu_step(&r->dpu);
     df_dpu_step(&r->dpu);
-    rig_go(r, 0200);
+    dpu_rig_go(r, 0200);
     assert_int_equal(r->dpu.x, 5 + 28 + 1);
     LOAD(r, 0, 0160000, 0400);
     df_dpu_write(&r->dpu, DF_DPC, 0, r->dpu.t);
     df_dpu_step(&r->dpu);
     LOAD(r, 0200, DF_STOP);
-    rig_go(r, 0200);
-    assert_int_equal(rig_reg(r, DF_DPC), 0202);
+    dpu_rig_go(r, 0200);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 0202);
 }
 
 static void start_while_drawing_waits_for_the_generator(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     LOAD(r, 0, 0110000, DF_BEAM_ON | 100, 0);
     df_dpu_write(&r->dpu, DF_DPC, 0, 0);
     for (int i = 0; i < 3; i++)
@@ -99,7 +99,7 @@ static void start_while_drawing_waits_for_the_generator(void **state)
     uint64_t busy = r->dpu.t;
     df_dpu_write(&r->dpu, DF_DPC, 0, busy - 5 * US);
     assert_int_equal(r->dpu.t, busy);
-    rig_continue(r);
+    dpu_rig_continue(r);
     assert_int_equal(r->count, 2);
     assert_true(r->strokes[1].t0 >= r->strokes[0].t1);
 }
@@ -107,17 +107,17 @@ static void start_while_drawing_waits_for_the_generator(void **state)
 static void odd_write_resumes(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     LOAD(r, 0, DF_STOP, 0164000, DF_STOP);
-    rig_go(r, 0);
-    assert_int_equal(rig_reg(r, DF_DPC), 2);
+    dpu_rig_go(r, 0);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 2);
     df_dpu_write(&r->dpu, DF_DPC, 0777, 50 * US);
-    assert_int_equal(rig_reg(r, DF_DPC), 2);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 2);
     assert_int_equal(r->dpu.state, DF_RUNNING);
     assert_int_equal(r->dpu.t, 50 * US);
-    assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_STOP, 0);
-    rig_continue(r);
-    assert_int_equal(rig_reg(r, DF_DPC), 6);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR) & DF_MPR_STOP, 0);
+    dpu_rig_continue(r);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 6);
     /* A RESUME while running changes nothing, half a datum included. */
     LOAD(r, 0, 0110000, DF_BEAM_ON | 9, 8, DF_STOP);
     df_dpu_write(&r->dpu, DF_DPC, 0, r->dpu.t);
@@ -126,20 +126,20 @@ static void odd_write_resumes(void **state)
     uint64_t t = r->dpu.t;
     df_dpu_write(&r->dpu, DF_DPC, 1, t + 3 * US);
     assert_int_equal(r->dpu.t, t);
-    rig_continue(r);
+    dpu_rig_continue(r);
     assert_int_equal(r->count, 1);
-    rig_expect_stroke(r, 0, 0, 0, 9, 8);
+    dpu_rig_expect_stroke(r, 0, 0, 0, 9, 8);
 }
 
 static void mpr_write_rings_the_bell(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     struct df_dpu before = r->dpu;
     df_dpu_write(&r->dpu, DF_MPR, 0177777, 5);
     df_dpu_write(&r->dpu, DF_MPR, 0, 6);
     assert_int_equal(r->bells, 2);
-    assert_int_equal(rig_reg(r, DF_MPR), df_dpu_read(&before, DF_MPR));
+    assert_int_equal(dpu_rig_reg(r, DF_MPR), df_dpu_read(&before, DF_MPR));
     assert_int_equal(r->dpu.state, DF_STOPPED);
     r->dpu.desc.wires.bell = NULL;
     df_dpu_write(&r->dpu, DF_MPR, 0, 7);
@@ -148,55 +148,55 @@ static void mpr_write_rings_the_bell(void **state)
 static void mpr_shows_the_mode_of_data(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     LOAD(r, 0, 0114000, 0164000, 5, 6, 0170000);
     df_dpu_write(&r->dpu, DF_DPC, 0, 0);
     static const unsigned shown[] = {3, 015, 3, 3, 016};
     for (unsigned i = 0; i < 5; i++) {
         df_dpu_step(&r->dpu);
-        assert_int_equal((rig_reg(r, DF_MPR) & DF_MPR_MODE) >> 11, shown[i]);
+        assert_int_equal((dpu_rig_reg(r, DF_MPR) & DF_MPR_MODE) >> 11, shown[i]);
     }
 }
 
 static void mpr_shows_every_parameter(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0100000 | 02000 | 5 << 7 | 020 | 010 | 04 | 2, 0170060);
-    assert_int_equal(rig_reg(r, DF_MPR), 0100000 | 070000 | 5 << 8 | 020 | 010 | 2);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR), 0100000 | 070000 | 5 << 8 | 020 | 010 | 2);
 }
 
 static void xpr_and_ypr_ignore_writes(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0174100 | 3, 0114000, 5, 6);
     df_dpu_write(&r->dpu, DF_XPR, 0177777, 0);
     df_dpu_write(&r->dpu, DF_YPR, 0177777, 0);
-    assert_int_equal(rig_reg(r, DF_XPR), 3 << 10 | 5);
-    assert_int_equal(rig_reg(r, DF_YPR), 6);
+    assert_int_equal(dpu_rig_reg(r, DF_XPR), 3 << 10 | 5);
+    assert_int_equal(dpu_rig_reg(r, DF_YPR), 6);
 }
 
 static void ypr_shows_six_bits_of_the_character(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0100000, 'a' | 'z' << 8);
-    assert_int_equal(rig_reg(r, DF_YPR) >> 10, 'z' & 077);
+    assert_int_equal(dpu_rig_reg(r, DF_YPR) >> 10, 'z' & 077);
     RUN(r, 0100000, 'a'); /* NUL is not copied */
-    assert_int_equal(rig_reg(r, DF_YPR) >> 10, 'a' & 077);
+    assert_int_equal(dpu_rig_reg(r, DF_YPR) >> 10, 'a' & 077);
     RUN(r, 0100000, 015 << 8 | 'b');
-    assert_int_equal(rig_reg(r, DF_YPR) >> 10, 015);
+    assert_int_equal(dpu_rig_reg(r, DF_YPR) >> 10, 015);
 }
 
 static void vs60_registers_are_not_there(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 5, 6);
     for (unsigned offset = 010; offset <= 036; offset += 2) {
         df_dpu_write(&r->dpu, offset, 0177777, 0);
-        assert_int_equal(rig_reg(r, offset), 0);
+        assert_int_equal(dpu_rig_reg(r, offset), 0);
     }
     assert_int_equal(r->dpu.state, DF_STOPPED);
 }
@@ -204,21 +204,21 @@ static void vs60_registers_are_not_there(void **state)
 static void stop_interrupts_when_enabled(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     LOAD(r, 0, 0164000, 0173400, 0164000, DF_STOP, 0173000);
-    rig_go(r, 0);
+    dpu_rig_go(r, 0);
     assert_int_equal(r->event_count, 1);
     expect_event(0, DF_INT_STOP, true, 2 * FETCH);
-    assert_int_equal(rig_reg(r, DF_DPC), 4);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 4);
     /* RESUME takes the line down; the enable stays. */
     df_dpu_write(&r->dpu, DF_DPC, 1, 100 * US);
     expect_event(1, DF_INT_STOP, false, 100 * US);
-    rig_continue(r);
+    dpu_rig_continue(r);
     expect_event(2, DF_INT_STOP, true, 100 * US + 2 * FETCH);
     /* START does, too; and the word that disables does not interrupt. */
     df_dpu_write(&r->dpu, DF_DPC, 8, 200 * US);
     expect_event(3, DF_INT_STOP, false, 200 * US);
-    rig_continue(r);
+    dpu_rig_continue(r);
     assert_int_equal(r->event_count, 4);
     assert_int_equal(r->dpu.state, DF_STOPPED);
 }
@@ -226,9 +226,9 @@ static void stop_interrupts_when_enabled(void **state)
 static void lines_do_not_fall_before_they_rise(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     LOAD(r, 0, 0173400);
-    rig_go(r, 0);
+    dpu_rig_go(r, 0);
     expect_event(0, DF_INT_STOP, true, FETCH);
     df_dpu_write(&r->dpu, DF_DPC, 0, FETCH / 2); /* while the word is still being decoded */
     expect_event(1, DF_INT_STOP, false, FETCH);
@@ -238,15 +238,15 @@ static void lines_do_not_fall_before_they_rise(void **state)
 static void sync_waits_for_the_tick(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     LOAD(r, 0, 0170004, DF_STOP);
-    rig_go(r, 0);
+    dpu_rig_go(r, 0);
     assert_int_equal(r->dpu.state, DF_WAITING_SYNC);
     assert_int_equal(r->dpu.words, 1);
     df_dpu_sync(&r->dpu, 16667 * US);
     assert_int_equal(r->dpu.state, DF_RUNNING);
     assert_int_equal(r->dpu.t, 16667 * US);
-    rig_continue(r);
+    dpu_rig_continue(r);
     assert_int_equal(r->dpu.t, 16667 * US + FETCH);
     assert_int_equal(r->dpu.state, DF_STOPPED);
     /* Ticks mean nothing to a processor that does not wait. */
@@ -258,14 +258,14 @@ static void sync_waits_for_the_tick(void **state)
 static void sync_can_be_left(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     /* A tick while the word is still being decoded is the one waited for. */
     LOAD(r, 0, 0170004, DF_STOP);
-    rig_go(r, 0);
+    dpu_rig_go(r, 0);
     df_dpu_sync(&r->dpu, FETCH / 2);
     assert_int_equal(r->dpu.t, FETCH);
     /* START ends the wait, RESUME does not. */
-    rig_go(r, 0);
+    dpu_rig_go(r, 0);
     df_dpu_write(&r->dpu, DF_DPC, 1, 50 * US);
     assert_int_equal(r->dpu.state, DF_WAITING_SYNC);
     LOAD(r, 0100, 0164000);
@@ -274,50 +274,50 @@ static void sync_can_be_left(void **state)
     assert_int_equal(r->dpu.t, 60 * US);
     /* The stop bit overrides the sync bit. */
     LOAD(r, 0200, 0172004);
-    rig_go(r, 0200);
+    dpu_rig_go(r, 0200);
     assert_int_equal(r->dpu.state, DF_STOPPED);
 }
 
 static void fetch_beyond_memory_times_out(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.memory_bytes = 040000;
-    rig_restart(r);
+    dpu_rig_restart(r);
     LOAD(r, 037776, 0164000);
-    rig_go(r, 037776);
+    dpu_rig_go(r, 037776);
     assert_int_equal(r->dpu.state, DF_WAITING_RESUME);
     assert_true(r->dpu.timeout);
     assert_int_equal(r->dpu.words, 1);
-    assert_int_equal(rig_reg(r, DF_DPC), 040002);
-    assert_int_equal(rig_reg(r, DF_MPR) & DF_MPR_SO, 0);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 040002);
+    assert_int_equal(dpu_rig_reg(r, DF_MPR) & DF_MPR_SO, 0);
     assert_int_equal(r->event_count, 1);
     expect_event(0, DF_INT_CHARACTER, true, 2 * FETCH);
     /* RESUME tries the next word and times out again. */
     df_dpu_write(&r->dpu, DF_DPC, 1, 10 * US);
     expect_event(1, DF_INT_CHARACTER, false, 10 * US);
     assert_false(r->dpu.timeout);
-    rig_continue(r);
+    dpu_rig_continue(r);
     expect_event(2, DF_INT_CHARACTER, true, 10 * US + FETCH);
-    assert_int_equal(rig_reg(r, DF_DPC), 040004);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 040004);
     /* START in memory goes on. */
     df_dpu_write(&r->dpu, DF_DPC, 0, 20 * US);
     assert_false(r->dpu.timeout);
-    rig_continue(r);
+    dpu_rig_continue(r);
     assert_int_equal(r->dpu.state, DF_STOPPED);
 }
 
 static void address_word_may_time_out(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.memory_bytes = 040000;
-    rig_restart(r);
+    dpu_rig_restart(r);
     LOAD(r, 037776, 0160000);
-    rig_go(r, 037776);
+    dpu_rig_go(r, 037776);
     assert_int_equal(r->dpu.state, DF_WAITING_RESUME);
     assert_true(r->dpu.timeout);
-    assert_int_equal(rig_reg(r, DF_DPC), 040002);
+    assert_int_equal(dpu_rig_reg(r, DF_DPC), 040002);
 }
 
 int main(void)

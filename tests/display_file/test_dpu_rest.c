@@ -1,8 +1,8 @@
 /* The beam at rest at the ends of a vector: within the set-up, so that no vector takes longer. */
 #include "tests/support/dpu_rig.h"
 
-static struct rig rig;
-static struct rig *const r = &rig;
+static struct dpu_rig rig;
+static struct dpu_rig *const r = &rig;
 
 #define REST (200 * NS)
 
@@ -13,14 +13,14 @@ static uint64_t plain_end;
 static void draw(uint64_t rest, unsigned type)
 {
     r->desc.timing.vector_rest_ps = rest;
-    rig_restart(r);
+    dpu_rig_restart(r);
     RUN(r, 0114000, 10, 20, (uint16_t)(0110004 | type), DF_BEAM_ON | 100, 0);
 }
 
 static int set_up(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     draw(0, 0);
     plain = r->strokes[0];
     plain_end = r->dpu.t;
@@ -32,9 +32,9 @@ static void rests_lie_within_the_set_up(void **state)
     (void)state;
     draw(REST, 0);
     assert_int_equal(r->count, 3);
-    rig_expect_stroke(r, 0, 10, 20, 10, 20);
-    rig_expect_stroke(r, 1, 10, 20, 110, 20);
-    rig_expect_stroke(r, 2, 110, 20, 110, 20);
+    dpu_rig_expect_stroke(r, 0, 10, 20, 10, 20);
+    dpu_rig_expect_stroke(r, 1, 10, 20, 110, 20);
+    dpu_rig_expect_stroke(r, 2, 110, 20, 110, 20);
     const uint64_t turns[] = {plain.t0 - 2 * REST, plain.t0 - REST, plain.t1 - REST, plain.t1};
     for (size_t i = 0; i < 3; i++) {
         assert_int_equal(r->strokes[i].t0, turns[i]);
@@ -69,19 +69,19 @@ static void the_pen_can_hit_a_rest(void **state)
 {
     (void)state;
     r->desc.timing.vector_rest_ps = REST;
-    rig_restart(r);
+    dpu_rig_restart(r);
     uint64_t hit = plain.t0 - 2 * REST + 50 * NS;
     r->pen_at = hit;
     RUN(r, 0114000, 10, 20, 0110144, DF_BEAM_ON | 100, 0);
     assert_int_equal(r->dpu.state, DF_WAITING_RESUME);
-    assert_int_equal(rig_reg(r, DF_XPR), 10);
+    assert_int_equal(dpu_rig_reg(r, DF_XPR), 10);
     assert_int_equal(r->strokes[0].t1, hit);
     size_t before = r->count;
     df_dpu_write(&r->dpu, DF_DPC, 1, 1000 * US);
     assert_int_equal(r->count, before + 3);
-    rig_expect_stroke(r, before, 10, 20, 10, 20);
+    dpu_rig_expect_stroke(r, before, 10, 20, 10, 20);
     assert_int_equal(r->strokes[before].t1 - r->strokes[before].t0, REST - 50 * NS);
-    rig_expect_stroke(r, before + 1, 10, 20, 110, 20);
+    dpu_rig_expect_stroke(r, before + 1, 10, 20, 110, 20);
     assert_int_equal(r->strokes[before + 2].t1, 1000 * US + 10 * US + 2 * REST - 50 * NS);
 }
 
@@ -90,7 +90,7 @@ static void average_time_scales_them(void **state)
     (void)state;
     r->desc.timing.vector_rest_ps = REST;
     r->desc.timing.average_ps = 2 * (1500 * NS + 2 * US + 10 * US); /* the vector twice as slow */
-    rig_restart(r);
+    dpu_rig_restart(r);
     RUN(r, 0110000, DF_BEAM_ON | 100, 0);
     assert_int_equal(r->count, 3);
     uint64_t first = r->strokes[0].t1 - r->strokes[0].t0;

@@ -1,8 +1,8 @@
 /* Beam time, compared with sums done by hand from the figures of RIG_TIMING. */
 #include "tests/support/dpu_rig.h"
 
-static struct rig rig;
-static struct rig *const r = &rig;
+static struct dpu_rig rig;
+static struct dpu_rig *const r = &rig;
 
 static void word_forms_take_their_time(void **state)
 {
@@ -41,8 +41,8 @@ static void word_forms_take_their_time(void **state)
         {"SO, SI", {0100000, 016 | 017 << 8}, 2, 3000},
     };
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        rig_init(r);
-        rig_load(r, 0, cases[i].words, cases[i].count);
+        dpu_rig_init(r);
+        dpu_rig_load(r, 0, cases[i].words, cases[i].count);
         df_dpu_write(&r->dpu, DF_DPC, 0, 0);
         for (unsigned n = 0; n < cases[i].count; n++)
             df_dpu_step(&r->dpu);
@@ -55,7 +55,7 @@ static void word_forms_take_their_time(void **state)
 static void strokes_lie_where_they_should(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0110000, DF_BEAM_ON | 300, 200, 0114000, DF_BEAM_ON | 100, 200);
     assert_int_equal(r->count, 2);
     /* 3 fetches 4.5, set-up 2: 6.5 µs; 30 µs of beam. */
@@ -73,7 +73,7 @@ static void strokes_lie_where_they_should(void **state)
 static void off_screen_and_dark_items_take_the_same_time(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 1000, 0, 0110000, DF_BEAM_ON | 300, 0);
     assert_int_equal(r->count, 0);
     assert_int_equal(r->dpu.t, (7 * 1500 + 18000 + 2000 + 30000) * NS);
@@ -82,7 +82,7 @@ static void off_screen_and_dark_items_take_the_same_time(void **state)
 static void dots_lie_in_their_slots(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 100, 100, 0100000, 'H');
     assert_true(r->count >= 18);
     uint64_t cell = (5 * 1500 + 1000 + 1800) * NS;
@@ -99,9 +99,9 @@ static void dots_lie_in_their_slots(void **state)
 static void long_dots_are_cut_to_their_slots(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.timing.dot_ps = 5 * US;
-    rig_restart(r);
+    dpu_rig_restart(r);
     RUN(r, 0114000, 100, 100, 0100000, 0177);
     assert_true(r->count > 30);
     for (size_t i = 1; i < r->count; i++)
@@ -111,9 +111,9 @@ static void long_dots_are_cut_to_their_slots(void **state)
 static void average_charges_every_instruction_the_same(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.timing.average_ps = 20 * US + 1; /* odd: the halves differ */
-    rig_restart(r);
+    dpu_rig_restart(r);
     LOAD(r, 0, 0114000, DF_BEAM_ON | 500, 500, /* 2 instructions */
          0110000, DF_BEAM_ON | 300, 0,         /* 2 */
          0104000, DF_BEAM_ON | 1 << 7,         /* 2 */
@@ -147,42 +147,42 @@ static void average_charges_every_instruction_the_same(void **state)
 static void average_is_shared_with_resume(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.timing.average_ps = 20 * US;
-    rig_restart(r);
+    dpu_rig_restart(r);
     /* A bad code first: its half at once, the second character's half after RESUME. */
     LOAD(r, 0, 0100000, 016 << 8, 'A' | 1 << 8, DF_STOP);
-    rig_go(r, 0);
+    dpu_rig_go(r, 0);
     assert_int_equal(r->dpu.state, DF_WAITING_RESUME);
     assert_int_equal(r->dpu.t, 50 * US);
     df_dpu_write(&r->dpu, DF_DPC, 1, 100 * US);
     assert_true(r->count > 0);
     assert_int_equal(r->dpu.t, 110 * US);
-    rig_continue(r);
+    dpu_rig_continue(r);
     assert_int_equal(r->dpu.t, 130 * US);
     /* The stop interrupt comes when the stop word's time is over. */
     LOAD(r, 0, 0173400);
     df_dpu_write(&r->dpu, DF_DPC, 0, 500 * US);
-    rig_continue(r);
+    dpu_rig_continue(r);
     assert_int_equal(r->events[r->event_count - 1].t, r->dpu.t);
     assert_int_equal(r->dpu.t, 520 * US);
     /* A pen hit half-way through a vector, without a spot: the other half is drawn after RESUME. */
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.timing.average_ps = 20 * US;
-    rig_restart(r);
+    dpu_rig_restart(r);
     LOAD(r, 0, 0170300, 0104140, DF_BEAM_ON | 50 << 7, DF_STOP);
     /* 1.5 and 2 µs of 8.5 are dark. */
     uint64_t begin = 40 * US + 20 * US * 35 / 85, half = (60 * US - begin) / 2;
     r->pen_at = begin + half;
-    rig_go(r, 0);
+    dpu_rig_go(r, 0);
     assert_int_equal(r->dpu.state, DF_WAITING_RESUME);
     assert_int_equal(r->dpu.t, begin + half);
     df_dpu_write(&r->dpu, DF_DPC, 1, 100 * US);
     assert_int_equal(r->dpu.t, 100 * US + (60 * US - begin - half));
     /* A hit as the word is fetched, were a pen to fire so early: still no word takes nothing. */
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.timing.average_ps = 2;
-    rig_restart(r);
+    dpu_rig_restart(r);
     LOAD(r, 0, 0170300, 0104140, DF_BEAM_ON | 50 << 7, DF_STOP);
     r->pen_at = 4;
     df_dpu_write(&r->dpu, DF_DPC, 0, 0);
@@ -196,9 +196,9 @@ static void average_is_shared_with_resume(void **state)
 static void a_thousand_instructions_at_thirty_refreshes(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.timing.average_ps = 33330 * NS;
-    rig_restart(r);
+    dpu_rig_restart(r);
     /* Mode, point (two words), 997 long and short vectors, and the jump back: 1000 instructions. */
     uint16_t at = 0;
     LOAD(r, at, 0114000, 100, 100);
@@ -230,9 +230,9 @@ static void a_thousand_instructions_at_thirty_refreshes(void **state)
 static void time_does_not_drift(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.timing.vector_unit_ps = 99991; /* prime */
-    rig_restart(r);
+    dpu_rig_restart(r);
     LOAD(r, 0, 0110000, DF_BEAM_ON | 997, 0, DF_BEAM_ON | DF_SIGN_X | 997, 0, 0160000, 0);
     df_dpu_write(&r->dpu, DF_DPC, 0, 0);
     for (int i = 0; i < 7 * 1000; i++) {
@@ -245,15 +245,15 @@ static void time_does_not_drift(void **state)
 static void absurd_times_are_limited(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     r->desc.timing = (struct df_timing){0};
-    rig_restart(r);
+    dpu_rig_restart(r);
     RUN(r, 0114000, DF_BEAM_ON | 5, 5, 0110000, DF_BEAM_ON | 9, 9, 0100000, 'A' | 'B' << 8);
     assert_int_equal(r->dpu.t, 9 + 1 + 9); /* a ps a word, a point, a unit */
     r->desc.timing =
         (struct df_timing){UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX,
                            UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX};
-    rig_restart(r);
+    dpu_rig_restart(r);
     RUN(r, 0114000, DF_BEAM_ON | 5, 5, 0110000, DF_BEAM_ON | 9, 9, 0100000, 'A' | 'B' << 8);
     assert_int_equal(r->dpu.t, 7 * 1000000 * US); /* instructions of a second */
 }

@@ -6,8 +6,8 @@
 
 #include "display_file/vecgen.h"
 
-static struct rig rig;
-static struct rig *const r = &rig;
+static struct dpu_rig rig;
+static struct dpu_rig *const r = &rig;
 
 /* Is a unit lit, by the line counter as the manual has it: 37 at the start, one down per unit. */
 static bool counter_lights(unsigned type, unsigned unit)
@@ -37,7 +37,7 @@ static void patterns_follow_the_counter(void **state)
 /* Draws a horizontal vector of that length and type from x = 10 and tells which units are lit. */
 static void lit_units(unsigned type, unsigned length, char *picture)
 {
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 10, 10, (uint16_t)(0110004 | type), (uint16_t)(DF_BEAM_ON | length), 0);
     memset(picture, '.', length + 1);
     picture[length + 1] = 0;
@@ -78,22 +78,22 @@ static void dashes_of_every_length(void **state)
 static void dashes_begin_again_with_every_vector(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0110005, DF_BEAM_ON | 10, 0, DF_BEAM_ON | 0, 10);
     assert_int_equal(r->count, 2);
-    rig_expect_stroke(r, 0, 0, 0, 10, 0);
-    rig_expect_stroke(r, 1, 10, 0, 10, 10);
+    dpu_rig_expect_stroke(r, 0, 0, 0, 10, 0);
+    dpu_rig_expect_stroke(r, 1, 10, 0, 10, 10);
 }
 
 static void runs_end_half_way_between_units(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     /* From (10, 20), 40 units in x and −20 in y, long dash: units 0…15 and 32…40. */
     RUN(r, 0114000, 10, 20, 0110005, DF_BEAM_ON | 40, DF_SIGN_X | 20);
     assert_int_equal(r->count, 2);
-    rig_expect_stroke(r, 0, 10, 20, 25.5, 20 - 7.75);
-    rig_expect_stroke(r, 1, 41.5, 20 - 15.75, 50, 0);
+    dpu_rig_expect_stroke(r, 0, 10, 20, 25.5, 20 - 7.75);
+    dpu_rig_expect_stroke(r, 1, 41.5, 20 - 15.75, 50, 0);
     /* Time goes on through the gap: 0.1 µs a unit. */
     uint64_t t0 = r->strokes[0].t0;
     assert_int_equal(r->strokes[0].t1, t0 + 1550 * NS);
@@ -105,11 +105,11 @@ static void runs_end_half_way_between_units(void **state)
 static void dashes_count_along_the_longer_axis(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0114000, 10, 20, 0110006, DF_BEAM_ON | 10, 20);
     assert_int_equal(r->count, 2);
-    rig_expect_stroke(r, 0, 10, 20, 13.75, 27.5);
-    rig_expect_stroke(r, 1, 17.75, 35.5, 20, 40);
+    dpu_rig_expect_stroke(r, 0, 10, 20, 13.75, 27.5);
+    dpu_rig_expect_stroke(r, 1, 17.75, 35.5, 20, 40);
 }
 
 static void blinking_items_are_dark_every_other_266_ms(void **state)
@@ -121,7 +121,7 @@ static void blinking_items_are_dark_every_other_266_ms(void **state)
     } cases[] = {{0, true},   {265, true},   {267, false}, {531, false},
                  {533, true}, {1063, false}, {1065, true}};
     for (unsigned i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        rig_init(r);
+        dpu_rig_init(r);
         df_dpu_reset(&r->dpu, cases[i].ms * 1000 * US);
         RUN(r, 0110030, DF_BEAM_ON | 10, 10, 0114000, DF_BEAM_ON | 99, 99, 0100000, 'A', 0110020,
             DF_BEAM_ON | 10, 10);
@@ -139,7 +139,7 @@ static void blinking_items_are_dark_every_other_266_ms(void **state)
 static void level_zero_is_still_visible(void **state)
 {
     (void)state;
-    rig_init(r);
+    dpu_rig_init(r);
     RUN(r, 0112000, DF_BEAM_ON | 10, 10);
     assert_int_equal(r->count, 1);
     assert_true(r->strokes[0].drive == 0.30f);

@@ -58,6 +58,21 @@ static void transmit(void *ctx, uint8_t byte, uint64_t t)
     vm_console_print(ctx, byte, t);
 }
 
+static void boot(struct bench *b, const uint32_t *code, size_t words, bool display)
+{
+    struct crt_error err;
+    uint8_t *bytes = malloc(4 * words);
+    assert_non_null(bytes);
+    for (size_t i = 0; i < 4 * words; i++)
+        bytes[i] = (uint8_t)(code[i / 4] >> 8 * (i % 4));
+    const struct vm_elf elf = {.segment = {{MAP_PROGRAM, bytes, (uint32_t)(4 * words),
+                                            (uint32_t)(4 * words), false, true}},
+                               .segments = 1,
+                               .entry = MAP_PROGRAM};
+    assert_true(vm_machine_boot(b->m, &elf, display ? &b->display : NULL, "test", &err));
+    free(bytes);
+}
+
 /* Instructions at the begin of program memory, in ROM; a display file at 01000. */
 static struct bench *set_up(const uint32_t *code, size_t words, const uint16_t *file, size_t length)
 {
@@ -83,16 +98,7 @@ static struct bench *set_up(const uint32_t *code, size_t words, const uint16_t *
                                                     .memory_bytes = 65536,
                                                     .board = b->board,
                                                     .console = &b->console});
-    uint8_t *bytes = malloc(4 * words);
-    assert_non_null(bytes);
-    for (size_t i = 0; i < 4 * words; i++)
-        bytes[i] = (uint8_t)(code[i / 4] >> 8 * (i % 4));
-    const struct vm_elf elf = {.segment = {{MAP_PROGRAM, bytes, (uint32_t)(4 * words),
-                                            (uint32_t)(4 * words), false, true}},
-                               .segments = 1,
-                               .entry = MAP_PROGRAM};
-    assert_true(vm_machine_boot(b->m, &elf, length ? &b->display : NULL, "test", &err));
-    free(bytes);
+    boot(b, code, words, length > 0);
     return b;
 }
 
@@ -241,6 +247,25 @@ static void stop_interrupts_come_when_the_word_is_done(void **state)
     tear_down(b);
 }
 
+/* Nothing but the stop: the line falls at START and rises when that word is done. */
+static void a_line_falls_at_start_though_the_first_word_raises_it(void **state)
+{
+    (void)state;
+    static const uint16_t stop[] = {DF_STATUS_A | DF_LSA_STOP_INT | DF_LSA_STOP_INT_ON |
+                                    DF_LSA_STOP};
+    struct bench *b = set_up(stopper, COUNT(stopper), stop, COUNT(stop));
+    uint64_t start = 11 * CYCLE;
+    for (uint32_t n = 1; n < 20; n++) {
+        uint64_t taken = (start + AVERAGE + CYCLE - 1) / CYCLE * CYCLE;
+        vm_machine_run(b->m, taken + 4 * CYCLE);
+        assert_int_equal(b->board->cpu.x[A0], n);
+        assert_int_equal(b->board->cpu.x[A4], IRQ_LINE_STOP);
+        assert_int_equal(b->board->cpu.x[A5], 0);
+        start = taken + 2 * CYCLE;
+    }
+    tear_down(b);
+}
+
 /* ---- registers ---------------------------------------------------------------------------------- */
 
 /* Runs code that ends in WFI with interrupts off, and returns the bench. */
@@ -329,6 +354,28 @@ static void what_no_device_takes_is_a_fault_nobody_handles(void **state)
     }
 }
 
+static void firmware_can_be_booted_again_after_it_was_lost(void **state)
+{
+    (void)state;
+    static const uint32_t lost[] = {LUI(A0, 0x50000), LW(A1, A0, 0)};
+    static const uint8_t counting[] = {0x13, 0x05, 0x15, 0,
+                                       0x6f, 0xf0, 0xdf, 0xff}; /* addi a0; j */
+    const struct vm_elf elf = {
+        .segment = {{MAP_PROGRAM, counting, sizeof counting, sizeof counting, false, true}},
+        .segments = 1,
+        .entry = MAP_PROGRAM};
+    struct bench *b = set_up(lost, COUNT(lost), NULL, 0);
+    struct crt_error err;
+    assert_true(vm_machine_run_end(b->m, MS));
+    vm_machine_run(b->m, MS);
+    assert_true(vm_machine_boot(b->m, &elf, NULL, "again", &err));
+    vm_machine_run(b->m, 2 * MS);
+    assert_int_equal(b->board->cpu.state, RV_RUNNING);
+    assert_int_equal(b->board->cpu.x[A0], MS / CYCLE / 2);
+    assert_int_equal(b->board->cpu.cycle, 2 * MS / CYCLE);
+    tear_down(b);
+}
+
 /* ---- goals -------------------------------------------------------------------------------------- */
 
 static void the_finisher_ends_a_run_with_its_status(void **state)
@@ -345,6 +392,54 @@ static void the_finisher_ends_a_run_with_its_status(void **state)
     vm_machine_run(b->m, 2 * MS);
     assert_int_equal(b->m->now, 2 * MS);
     assert_int_equal(rv_retired(&b->board->cpu), 4);
+    tear_down(b);
+}
+
+/* Power-on again is at the present time, however long ago the processor ended. */
+static void firmware_that_has_ended_can_be_booted_again(void **state)
+{
+    (void)state;
+    static const uint32_t code[] = {LUI(A0, MAP_FINISHER >> 12), LUI(A1, 5), ADDI(A1, A1, 0x555),
+                                    SW(A1, A0, 0), JUMP_BACK(0)};
+    struct bench *b = set_up(code, COUNT(code), NULL, 0);
+    assert_true(vm_machine_run_end(b->m, MS));
+    vm_machine_run(b->m, 2 * MS);
+    boot(b, code, COUNT(code), false);
+    assert_true(vm_machine_run_end(b->m, 3 * MS));
+    assert_int_equal(b->m->now, 2 * MS + 4 * CYCLE);
+    assert_int_equal(b->board->finisher.t, 2 * MS + 3 * CYCLE);
+    assert_int_equal(rv_retired(&b->board->cpu), 8);
+    tear_down(b);
+}
+
+/* Also where the firmware says itself what a refresh is. */
+static void a_stop_is_when_its_word_is_done(void **state)
+{
+    (void)state;
+    static const uint32_t code[] = {LUI(A0, MAP_IDENTITY >> 12), SW(ZERO, A0, IDENTITY_REFRESH),
+                                    LUI(A1, MAP_DPU >> 12),      ADDI(A2, ZERO, 01000),
+                                    SH(A2, A1, DF_DPC),          WFI};
+    struct bench *b = set_up(code, COUNT(code), stopping, COUNT(stopping));
+    assert_true(vm_machine_run_stop(b->m, MS));
+    assert_int_equal(b->m->now, 4 * CYCLE + 4 * AVERAGE);
+    assert_int_equal(b->m->now, b->m->last_stop);
+    tear_down(b);
+}
+
+/* The instruction begun when the word was fetched has been executed, too. */
+static void where_a_word_was_reached_can_be_saved(void **state)
+{
+    (void)state;
+    struct bench *b = set_up(writer, COUNT(writer), looped, COUNT(looped));
+    for (uint64_t n = 1; n < 20; n++) {
+        struct crt_state s;
+        assert_true(vm_machine_run_words(b->m, n, MS));
+        crt_state_save(&s);
+        vm_machine_state(b->m, &s);
+        if (s.failed)
+            fail_msg("%s", s.err.text);
+        crt_state_free(&s);
+    }
     tear_down(b);
 }
 
@@ -436,6 +531,37 @@ static void the_console_keeps_its_baud_rate(void **state)
     tear_down(b);
 }
 
+/* Reads a byte, then does nothing for longer than the next one takes. */
+static const uint32_t sleepy[] = {
+    /* 00 */ LUI(A0, MAP_UART >> 12),
+    /* 04 */ LBU(A1, A0, 0),
+    /* 08 */ ADDI(T0, ZERO, 1999),
+    /* 0c */ NOP,
+    /* 10 */ ADDI(T0, T0, -1),
+    /* 14 */ 0xfe029ce3u, /* bne t0,zero,-8 */
+    /* 18 */ JUMP_BACK(5),
+};
+
+static void pieces_do_not_change_when_bytes_arrive(void **state)
+{
+    (void)state;
+    struct bench *whole = set_up(sleepy, COUNT(sleepy), NULL, 0);
+    struct bench *cut = set_up(sleepy, COUNT(sleepy), NULL, 0);
+    static const char text[300] = "typed";
+    assert_true(vm_console_type(&whole->console, text, sizeof text, 0));
+    assert_true(vm_console_type(&cut->console, text, sizeof text, 0));
+    for (uint64_t t = 60 * US; t < 30 * MS; t += 120 * US) {
+        vm_machine_run(whole->m, t);
+        while (cut->m->now < t)
+            vm_machine_run(cut->m, t - cut->m->now > 17001 ? cut->m->now + 17001 : t);
+        assert_int_equal(cut->console.next, whole->console.next);
+        assert_int_equal(cut->board->uart.ready_from, whole->board->uart.ready_from);
+    }
+    assert_true(whole->console.next > 200);
+    tear_down(whole);
+    tear_down(cut);
+}
+
 /* ---- copies ------------------------------------------------------------------------------------- */
 
 static void a_copy_goes_on_alone_to_the_same_end(void **state)
@@ -468,13 +594,19 @@ int main(void)
         cmocka_unit_test(a_fetch_sees_the_stores_begun_before_it),
         cmocka_unit_test(pieces_of_a_run_change_nothing),
         cmocka_unit_test(stop_interrupts_come_when_the_word_is_done),
+        cmocka_unit_test(a_line_falls_at_start_though_the_first_word_raises_it),
         cmocka_unit_test(display_memory_takes_all_widths),
         cmocka_unit_test(identity_says_what_is_here),
         cmocka_unit_test(what_no_device_takes_is_a_fault_nobody_handles),
+        cmocka_unit_test(firmware_can_be_booted_again_after_it_was_lost),
         cmocka_unit_test(the_finisher_ends_a_run_with_its_status),
+        cmocka_unit_test(firmware_that_has_ended_can_be_booted_again),
+        cmocka_unit_test(a_stop_is_when_its_word_is_done),
+        cmocka_unit_test(where_a_word_was_reached_can_be_saved),
         cmocka_unit_test(runs_stop_at_an_instruction_or_a_word),
         cmocka_unit_test(a_debugger_stops_before_an_instruction),
         cmocka_unit_test(the_console_keeps_its_baud_rate),
+        cmocka_unit_test(pieces_do_not_change_when_bytes_arrive),
         cmocka_unit_test(a_copy_goes_on_alone_to_the_same_end),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -5,33 +5,33 @@
 
 static uint64_t offer(void *ctx, const struct crt_stroke *s)
 {
-    struct rig *r = ctx;
+    struct dpu_rig *r = ctx;
     r->offered++;
     return r->pen_at >= s->t0 && r->pen_at < s->t1 ? r->pen_at : DF_NO_HIT;
 }
 
 static void commit(void *ctx, const struct crt_stroke *s)
 {
-    struct rig *r = ctx;
+    struct dpu_rig *r = ctx;
     assert_true(r->count < RIG_STROKES);
     r->strokes[r->count++] = *s;
 }
 
 static void interrupt(void *ctx, enum df_interrupt line, bool level, uint64_t t)
 {
-    struct rig *r = ctx;
-    assert_true(r->event_count < RIG_EVENTS);
-    r->events[r->event_count++] = (struct rig_event){line, level, t};
+    struct dpu_rig *r = ctx;
+    assert_true(r->event_count < DPU_RIG_EVENTS);
+    r->events[r->event_count++] = (struct dpu_rig_event){line, level, t};
 }
 
 static void bell(void *ctx, uint64_t t)
 {
-    struct rig *r = ctx;
+    struct dpu_rig *r = ctx;
     (void)t;
     r->bells++;
 }
 
-void rig_restart(struct rig *r)
+void dpu_rig_restart(struct dpu_rig *r)
 {
     r->count = r->event_count = r->bells = 0;
     r->offered = 0;
@@ -39,7 +39,7 @@ void rig_restart(struct rig *r)
     df_dpu_init(&r->dpu, &r->desc);
 }
 
-void rig_init(struct rig *r)
+void dpu_rig_init(struct dpu_rig *r)
 {
     memset(r, 0, sizeof *r);
     for (size_t i = 0; i < sizeof r->memory / sizeof r->memory[0]; i++)
@@ -53,28 +53,28 @@ void rig_init(struct rig *r)
         .beam = {r, offer, commit},
         .wires = {r, interrupt, bell},
     };
-    rig_restart(r);
+    dpu_rig_restart(r);
 }
 
-void rig_load(struct rig *r, uint16_t address, const uint16_t *words, size_t count)
+void dpu_rig_load(struct dpu_rig *r, uint16_t address, const uint16_t *words, size_t count)
 {
     assert_true(address / 2 + count <= sizeof r->memory / sizeof r->memory[0]);
     memcpy(&r->memory[address / 2], words, count * sizeof *words);
 }
 
-void rig_continue(struct rig *r)
+void dpu_rig_continue(struct dpu_rig *r)
 {
     for (int i = 0; i < 10000 && r->dpu.state == DF_RUNNING; i++)
         df_dpu_step(&r->dpu);
 }
 
-void rig_go(struct rig *r, uint16_t address)
+void dpu_rig_go(struct dpu_rig *r, uint16_t address)
 {
     df_dpu_write(&r->dpu, DF_DPC, address, r->dpu.t);
-    rig_continue(r);
+    dpu_rig_continue(r);
 }
 
-uint16_t rig_reg(const struct rig *r, unsigned offset)
+uint16_t dpu_rig_reg(const struct dpu_rig *r, unsigned offset)
 {
     return df_dpu_read(&r->dpu, offset);
 }
@@ -99,8 +99,8 @@ double rig_y1(const struct crt_stroke *s)
     return (double)s->y1 + 511.5;
 }
 
-void rig_expect_stroke(const struct rig *r, size_t index, double x0, double y0, double x1,
-                       double y1)
+void dpu_rig_expect_stroke(const struct dpu_rig *r, size_t index, double x0, double y0, double x1,
+                           double y1)
 {
     const struct crt_stroke *s = &r->strokes[index];
     assert_true(index < r->count);

@@ -30,22 +30,22 @@
     }
 #define FETCH (1500 * NS)
 
-#define RIG_STROKES 8192
-#define RIG_EVENTS  64
+#define RIG_STROKES    8192
+#define DPU_RIG_EVENTS 64
 
-struct rig_event {
+struct dpu_rig_event {
     enum df_interrupt line;
     bool level;
     uint64_t t;
 };
 
-struct rig {
+struct dpu_rig {
     struct df_dpu dpu;
     struct df_dpu_desc desc;
     uint16_t memory[32768];
     struct crt_stroke strokes[RIG_STROKES];
     size_t count;
-    struct rig_event events[RIG_EVENTS];
+    struct dpu_rig_event events[DPU_RIG_EVENTS];
     size_t event_count;
     unsigned bells;
     uint64_t pen_at; /* fires in the stroke that contains this time; UINT64_MAX: no pen light */
@@ -53,25 +53,25 @@ struct rig {
 };
 
 /* Fills memory with stops, connects everything, leaves the processor reset at 0. */
-void rig_init(struct rig *r);
+void dpu_rig_init(struct dpu_rig *r);
 /* The same again with what the caller changed in r->desc. */
-void rig_restart(struct rig *r);
-void rig_load(struct rig *r, uint16_t address, const uint16_t *words, size_t count);
+void dpu_rig_restart(struct dpu_rig *r);
+void dpu_rig_load(struct dpu_rig *r, uint16_t address, const uint16_t *words, size_t count);
 #define LOAD(r, address, ...)                                                                      \
-    rig_load(r, address, (const uint16_t[]){__VA_ARGS__},                                          \
-             sizeof((const uint16_t[]){__VA_ARGS__}) / sizeof(uint16_t))
+    dpu_rig_load(r, address, (const uint16_t[]){__VA_ARGS__},                                      \
+                 sizeof((const uint16_t[]){__VA_ARGS__}) / sizeof(uint16_t))
 /* START at the address and now; runs until the processor is no longer running (at most 10000
  * words). */
-void rig_go(struct rig *r, uint16_t address);
-void rig_continue(struct rig *r);
+void dpu_rig_go(struct dpu_rig *r, uint16_t address);
+void dpu_rig_continue(struct dpu_rig *r);
 /* Loads at 0 what is given and a stop behind it, and runs it. */
 #define RUN(r, ...)                                                                                \
     do {                                                                                           \
         LOAD(r, 0, __VA_ARGS__, DF_STOP);                                                          \
-        rig_go(r, 0);                                                                              \
+        dpu_rig_go(r, 0);                                                                          \
     } while (0)
 
-uint16_t rig_reg(const struct rig *r, unsigned offset);
+uint16_t dpu_rig_reg(const struct dpu_rig *r, unsigned offset);
 /* A stroke's ends in head units. */
 double rig_x0(const struct crt_stroke *s);
 double rig_y0(const struct crt_stroke *s);
@@ -79,7 +79,7 @@ double rig_x1(const struct crt_stroke *s);
 double rig_y1(const struct crt_stroke *s);
 
 /* Stroke `index` goes from (x0, y0) to (x1, y1). */
-void rig_expect_stroke(const struct rig *r, size_t index, double x0, double y0, double x1,
-                       double y1);
+void dpu_rig_expect_stroke(const struct dpu_rig *r, size_t index, double x0, double y0, double x1,
+                           double y1);
 
 #endif
