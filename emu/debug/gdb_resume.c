@@ -170,18 +170,12 @@ void vm_gdb_session_run(struct vm_gdb_session *s, uint64_t until)
 
 void vm_gdb_session_end(struct vm_gdb_session *s)
 {
-    int status;
     if (s->state != VM_GDB_RUNNING)
         return;
-    if (s->target.exited(s->target.ctx, &status)) {
-        s->stop = (struct vm_gdb_stop){.reason = VM_GDB_BY_EXIT, .value = (uint8_t)status};
-        vm_gdb_tell_stop(s);
-    } else {
-        vm_gdb_begin(&s->reply);
-        vm_gdb_add_text(&s->reply, "X");
-        vm_gdb_add_bytes(&s->reply, &(uint8_t){VM_GDB_SIGTERM}, 1);
-        vm_gdb_send(s);
-    }
+    vm_gdb_begin(&s->reply);
+    vm_gdb_add_text(&s->reply, "X");
+    vm_gdb_add_bytes(&s->reply, &(uint8_t){VM_GDB_SIGTERM}, 1);
+    vm_gdb_send(s);
     s->state = VM_GDB_FREE;
 }
 
