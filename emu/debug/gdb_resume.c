@@ -128,10 +128,11 @@ static bool ended(struct vm_gdb_session *s)
 static bool go_on(struct vm_gdb_session *s, uint64_t until)
 {
     const struct vm_gdb_target *t = &s->target;
-    const struct rv_hooks hooks = {s, before, after, interrupt};
+    bool steps = s->run.how != VM_GDB_CONTINUE;
+    const struct rv_hooks hooks = {s, before, steps ? after : NULL, steps ? interrupt : NULL};
     if (ended(s))
         return true;
-    if (s->run.how == VM_GDB_CONTINUE && s->points.breaks == 0 && s->points.watches == 0)
+    if (!steps && s->points.breaks == 0 && s->points.watches == 0)
         t->run(t->ctx, until);
     else if (t->watch(t->ctx, until, &hooks))
         return true;
