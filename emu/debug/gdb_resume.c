@@ -128,10 +128,11 @@ static bool ended(struct vm_gdb_session *s)
 static bool go_on(struct vm_gdb_session *s, uint64_t until)
 {
     const struct vm_gdb_target *t = &s->target;
-    const struct rv_hooks hooks = {s, before, after, interrupt};
+    bool steps = s->run.how != VM_GDB_CONTINUE;
+    const struct rv_hooks hooks = {s, before, steps ? after : NULL, steps ? interrupt : NULL};
     if (ended(s))
         return true;
-    if (s->run.how == VM_GDB_CONTINUE && s->points.breaks == 0 && s->points.watches == 0)
+    if (!steps && s->points.breaks == 0 && s->points.watches == 0)
         t->run(t->ctx, until);
     else if (t->watch(t->ctx, until, &hooks))
         return true;
@@ -170,18 +171,12 @@ void vm_gdb_session_run(struct vm_gdb_session *s, uint64_t until)
 
 void vm_gdb_session_end(struct vm_gdb_session *s)
 {
-    int status;
     if (s->state != VM_GDB_RUNNING)
         return;
-    if (s->target.exited(s->target.ctx, &status)) {
-        s->stop = (struct vm_gdb_stop){.reason = VM_GDB_BY_EXIT, .value = (uint8_t)status};
-        vm_gdb_tell_stop(s);
-    } else {
-        vm_gdb_begin(&s->reply);
-        vm_gdb_add_text(&s->reply, "X");
-        vm_gdb_add_bytes(&s->reply, &(uint8_t){VM_GDB_SIGTERM}, 1);
-        vm_gdb_send(s);
-    }
+    vm_gdb_begin(&s->reply);
+    vm_gdb_add_text(&s->reply, "X");
+    vm_gdb_add_bytes(&s->reply, &(uint8_t){VM_GDB_SIGTERM}, 1);
+    vm_gdb_send(s);
     s->state = VM_GDB_FREE;
 }
 

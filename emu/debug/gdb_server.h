@@ -28,7 +28,7 @@ bool vm_gdb_check(const char *place, bool anywhere, struct crt_error *err);
 /* Listens at "ADDRESS:PORT", an IPv4 address or "localhost" (or nothing, which is the same); port 0
  * is any that is free. Addresses at which other machines can connect need `anywhere`. */
 struct vm_gdb *vm_gdb_open(const char *place, bool anywhere, struct crt_error *err);
-/* A client whose program still runs is told that it was terminated. */
+/* A client whose program still runs is told that it was terminated. Targets may be gone. */
 void vm_gdb_close(struct vm_gdb *gdb);
 
 /* "127.0.0.1:1234" */

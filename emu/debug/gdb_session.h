@@ -98,7 +98,8 @@ void vm_gdb_session_sent(struct vm_gdb_session *s, size_t sent);
 void vm_gdb_session_run(struct vm_gdb_session *s, uint64_t until);
 /* It runs, but into the past: `until` means nothing then. */
 bool vm_gdb_goes_back(const struct vm_gdb_session *s);
-/* The front end ends a program that runs: the client is told that it was terminated. */
+/* The front end ends a program that runs: the client is told that it was terminated. The target may
+ * be gone already. */
 void vm_gdb_session_end(struct vm_gdb_session *s);
 
 #endif

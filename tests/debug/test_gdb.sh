@@ -119,6 +119,12 @@ report $? "gdb is told of the end"
 [ $status -eq 0 ]
 report $? "the exit status is the firmware's"
 
+start bounce --for 1s
+debug continue
+finish
+said 'terminated with signal SIGTERM'
+report $? "or that the run was over before"
+
 # ---- traps nobody handles; code is written, ROM or not ----
 
 start bounce
