@@ -146,6 +146,8 @@ bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m)
     *copy = *m;
     copy->desc.tube = NULL;
     copy->desc.console = NULL;
+    copy->desc.pen = (struct vm_pen){NULL, NULL};
+    copy->dpu.desc.beam.offer = NULL;
     copy->dpu.desc.memory = copy->memory;
     copy->dpu.desc.beam.ctx = copy;
     copy->dpu.desc.wires.ctx = copy;

@@ -135,7 +135,8 @@ void vm_machine_trace(struct vm_machine *m, uint64_t until, const struct vm_hook
 bool vm_machine_watch(struct vm_machine *m, uint64_t until, const struct rv_hooks *hooks);
 
 /* Each of these runs to a moment, or to `limit`: true when it came; m->now is then that moment. */
-bool vm_machine_run_refresh(struct vm_machine *m, uint64_t limit); /* one more is complete */
+/* One more is complete; of a loop without sync its first word has been executed again. */
+bool vm_machine_run_refresh(struct vm_machine *m, uint64_t limit);
 bool vm_machine_run_stop(struct vm_machine *m, uint64_t limit);    /* one more stop word is done */
 bool vm_machine_run_console(struct vm_machine *m, uint64_t limit); /* the console's watch fires */
 bool vm_machine_run_mark(struct vm_machine *m, uint32_t mark, uint64_t limit);
@@ -145,7 +146,7 @@ bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t lim
 /* m->dpu.words is `words`; what else happens when the last one is fetched has happened, too. */
 bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit);
 
-/* A copy that goes on alone, without tube and console: for looking ahead. `copy` need not be
+/* A copy that goes on alone, without tube, console and pen: for looking ahead. `copy` need not be
  * initialised; vm_machine_forget frees what the copy of a board took. False: out of memory. */
 bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m);
 void vm_machine_forget(struct vm_machine *copy);

@@ -30,6 +30,16 @@ static void start(struct vm_machine *m, uint16_t address, uint64_t t)
     vm_start(m, address, t);
 }
 
+/* RESUME after a stop word goes on with the display file behind it: another refresh. */
+static void resume(struct vm_machine *m, uint16_t value, uint64_t t)
+{
+    bool stopped = m->dpu.state == DF_STOPPED;
+    struct vm_counts counts = vm_counts(m);
+    df_dpu_write(&m->dpu, DF_DPC, value, t);
+    if (stopped && !m->refreshes.declared)
+        vm_refreshes_begin(&m->refreshes, m->dpu.t, &counts);
+}
+
 static bool dpu_write(void *ctx, uint32_t offset, unsigned width, uint32_t value)
 {
     struct vm_machine *m = ctx;
@@ -39,6 +49,8 @@ static bool dpu_write(void *ctx, uint32_t offset, unsigned width, uint32_t value
         return false;
     if (offset == DF_DPC && !(value & 1))
         start(m, (uint16_t)value, t);
+    else if (offset == DF_DPC)
+        resume(m, (uint16_t)value, t);
     else
         df_dpu_write(&m->dpu, offset, (uint16_t)value, t);
     rv_attention(&m->desc.board->cpu); /* who is next may have changed */

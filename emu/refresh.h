@@ -5,8 +5,9 @@
  *      declared by firmware   from one store to IDENTITY_REFRESH to the next
  *
  * Models:     a refresh ends where the display processor stops, starts to wait for a sync tick or
- *             comes back to the head of a loop. A lone sync word is not a refresh. A program that
- *             draws one picture by several STARTs (display subroutines) declares refreshes itself.
+ *             comes back to the head of a loop; RESUME after a stop begins another. A lone sync word
+ *             is not a refresh. A program that draws one picture by several STARTs (display
+ *             subroutines) declares refreshes itself.
  * Time:       picoseconds since power-on.
  * Ownership:  plain values. Allocates nothing.
  * Errors:     none.

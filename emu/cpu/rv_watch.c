@@ -6,7 +6,8 @@ bool rv_watch(struct rv_cpu *cpu, uint64_t until, const struct rv_hooks *hooks)
     cpu->attention = false;
     while (cpu->state == RV_RUNNING && cpu->cycle < until && !cpu->attention) {
         if (rv_take_interrupt(cpu)) {
-            if (hooks->interrupt != NULL)
+            /* Without a handler to take it the processor has halted. */
+            if (hooks->interrupt != NULL && cpu->state != RV_HALTED)
                 hooks->interrupt(hooks->ctx, cpu, cpu->mcause);
             continue;
         }

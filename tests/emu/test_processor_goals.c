@@ -235,9 +235,37 @@ static void firmware_can_be_booted_again_after_it_was_lost(void **state)
     tear_down(b);
 }
 
+/* Starts a file of two stop words, and resumes it each time it has stopped. */
+static void resume_after_a_stop_begins_a_refresh(void **state)
+{
+    (void)state;
+    static const uint32_t code[] = {
+        /* 00 */ LUI(A1, MAP_DPU >> 12),
+        ADDI(A2, ZERO, 01000),
+        ADDI(A3, ZERO, 1),
+        /* 0c */ SH(A2, A1, DF_DPC),
+        /* 10 */ LHU(A4, A1, DF_MPR),
+        I(0x13u, 5u, A4, A4, 15), /* srli: internal stop */
+        /* 18 */ 0xfe070ce3u,     /* beq a4,zero,-8 */
+        /* 1c */ SH(A3, A1, DF_DPC),
+        /* 20 */ JUMP_BACK(4),
+    };
+    static const uint16_t file[] = {
+        POINT, DF_BEAM_ON | 100, 100, DF_STOP, POINT, DF_BEAM_ON | 200, 200, DF_STOP,
+        POINT, DF_BEAM_ON | 300, 300, DF_JUMP, 01000};
+    struct bench *b = set_up(code, COUNT(code), file, COUNT(file));
+    for (uint64_t n = 1; n <= 20; n++) {
+        assert_true(vm_machine_run_refresh(b->m, MS * 10));
+        assert_int_equal(b->m->refreshes.last.number, n);
+        assert_int_equal(b->m->refreshes.last.strokes, n > 1 && n % 2 ? 2 : 1);
+    }
+    tear_down(b);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
+        cmocka_unit_test(resume_after_a_stop_begins_a_refresh),
         cmocka_unit_test(firmware_can_be_booted_again_after_it_was_lost),
         cmocka_unit_test(the_finisher_ends_a_run_with_its_status),
         cmocka_unit_test(firmware_that_has_ended_can_be_booted_again),
