@@ -22,6 +22,9 @@
 
 #include "crt/error.h"
 
+/* Times in a snapshot, ps, are before this: later ones leave too little of 64 bits to go on. */
+#define CRT_STATE_LATEST (UINT64_C(1) << 63)
+
 struct crt_state {
     bool loading, failed;
     struct crt_error err;

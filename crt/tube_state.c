@@ -10,9 +10,6 @@
 
 #define VERSION 1
 
-/* Later times leave too little of 64 bits to go on. */
-#define LATEST (UINT64_C(1) << 63)
-
 /* Longer strokes are none that a head could have drawn, ps (two and a half hours). */
 #define LONGEST (UINT64_C(1) << 53)
 
@@ -221,7 +218,8 @@ static void time_state(struct crt_tube *tube, struct crt_state *s)
     crt_state_u64(s, &tube->last_start);
     crt_state_u64(s, &tube->strokes);
     crt_state_u64(s, &tube->lost);
-    if (!crt_state_check(s, tube->now < LATEST && tube->last_start < LATEST, "time"))
+    if (!crt_state_check(s, tube->now < CRT_STATE_LATEST && tube->last_start < CRT_STATE_LATEST,
+                         "time"))
         tube->now = tube->last_start = 0;
     uint64_t epoch = crt_tick_at(tube->desc.epoch, tube->now);
     assert(s->loading || epoch == tube->planes.epoch);

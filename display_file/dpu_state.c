@@ -5,9 +5,6 @@
 
 #define VERSION 1
 
-/* Later times leave too little of 64 bits to go on, ps. */
-#define LATEST (UINT64_C(1) << 63)
-
 /* Longer than any vector is lit (1023 units and its rests, at 1 s each), ps. */
 #define LONGEST (UINT64_C(1) << 50)
 
@@ -132,7 +129,7 @@ static bool sane_vector(const struct df_dpu *dpu)
 
 static void check(const struct df_dpu *dpu, struct crt_state *s)
 {
-    crt_state_check(s, dpu->t < LATEST && dpu->raised_at <= dpu->t,
+    crt_state_check(s, dpu->t < CRT_STATE_LATEST && dpu->raised_at <= dpu->t,
                     "time of the display processor");
     crt_state_check(s, sane_registers(dpu), "register of the display processor");
     crt_state_check(s, sane_addresses(dpu), "display program counter");

@@ -239,15 +239,14 @@ static int plan(struct capture *c, struct crt_error *err)
         c->shots.count = 1;
         status = vm_moment_find(&rig, &c->o.moment, &c->settings, &c->input, &c->shots.from, err);
     }
-    bool ran = status == VM_EXIT_OK || status == VM_EXIT_TIMEOUT;
+    bool late = status == VM_EXIT_TIMEOUT, ran = status == VM_EXIT_OK || late;
     /* A program that has not lit the beam yet may still do so, after its first sync tick. */
     if (ran && rig.machine->strokes == 0)
         vm_machine_run(rig.machine, VM_SETTLED_PS);
     enum vm_trouble found = ran ? vm_find_trouble(rig.machine, &c->input, &trouble) : VM_NO_TROUBLE;
-    /* Firmware may well be dark until the moment that it is waited for. */
-    bool waiting = status == VM_EXIT_TIMEOUT && found == VM_TROUBLE_DARK && c->input.has_firmware;
-    if (found && !waiting) {
-        if (!c->o.allow_dark || status == VM_EXIT_TIMEOUT) {
+    /* What firmware is waited for may come before its first light. */
+    if (found && !(found == VM_TROUBLE_DARK && late && c->input.has_firmware)) {
+        if (!c->o.allow_dark || late) {
             *err = trouble;
             status = VM_EXIT_TROUBLE;
         } else {
@@ -404,6 +403,10 @@ static int run(int argc, char **argv)
     if (!vm_input_check(&c.o.input, &err) || !check_options(&c, &err) ||
         !vm_out_spares(c.o.out, args.item[0], &err) || !vm_out_spares(c.o.y4m, args.item[0], &err))
         return fail(VM_EXIT_USAGE, &err);
+    status = vm_saved_check(&c.o.saved, args.item[0], c.o.input.firmware,
+                            c.o.out ? c.o.out : c.o.y4m, &err);
+    if (status)
+        return fail(status, &err);
     if (!vm_input_load(&c.input, args.item[0], &c.o.input, &err, &report)) {
         if (report)
             fputs(report, stderr);

@@ -34,6 +34,10 @@ static int disassemble(const struct options *o, const struct vm_input *input)
         crt_fail(&err, "%s is a recording of beam pieces; it holds no words", input->name);
         return vm_command_fail(&vm_command_disasm, VM_EXIT_TROUBLE, &err);
     }
+    if (input->has_firmware && !input->program.words) {
+        crt_fail(&err, "%s is firmware; it holds no display-file words", input->name);
+        return vm_command_fail(&vm_command_disasm, VM_EXIT_TROUBLE, &err);
+    }
     char *text = df_disassemble(&input->program);
     bool ok = text != NULL;
     if (ok && o->out)

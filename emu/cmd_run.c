@@ -176,6 +176,9 @@ static int run(int argc, char **argv)
     }
     if (!vm_input_check(&o.input, &err))
         return fail(VM_EXIT_USAGE, &err);
+    status = vm_saved_check(&o.saved, path, o.input.firmware, NULL, &err);
+    if (status)
+        return fail(status, &err);
     if (!o.headless)
         return run_window(&o, path);
     if (path)

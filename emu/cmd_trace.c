@@ -224,6 +224,9 @@ static int run(int argc, char **argv)
         return status;
     if (!vm_input_check(&t.o.input, &err) || !vm_out_spares(t.o.out, args.item[0], &err))
         return fail(VM_EXIT_USAGE, &err);
+    status = vm_saved_check(&t.o.saved, args.item[0], t.o.input.firmware, t.o.out, &err);
+    if (status)
+        return fail(status, &err);
     if (!vm_input_load(&t.input, args.item[0], &t.o.input, &err, &report)) {
         if (report)
             fputs(report, stderr);
@@ -237,6 +240,10 @@ static int run(int argc, char **argv)
     } else if (!t.input.has_firmware && (what == VM_TRACE_CPU || what == VM_TRACE_IRQ)) {
         crt_fail(&err, "--what %s needs firmware; %s runs without a processor", t.o.what,
                  t.input.name);
+        status = fail(VM_EXIT_USAGE, &err);
+    } else if (t.o.summary && (t.o.saved.load || t.o.saved.save || t.o.from.given)) {
+        crt_fail(&err, "--summary measures from power-on; leave out --load-state, --save-state and "
+                       "--from");
         status = fail(VM_EXIT_USAGE, &err);
     } else {
         status = trace(&t);

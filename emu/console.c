@@ -39,6 +39,8 @@ static bool make_room(struct vm_console *c, size_t more)
 
 bool vm_console_type(struct vm_console *c, const char *bytes, size_t length, uint64_t t)
 {
+    while (c->count > c->next && c->queue[c->count - 1].not_before > t)
+        c->count--;
     if (!make_room(c, length))
         return false;
     for (size_t i = 0; i < length; i++)

@@ -10,8 +10,8 @@
  *             --type, comes one 0x04 (EOT).
  * Time:       picoseconds since power-on.
  * State:      position in the queue and number of bytes printed; the bytes typed are kept, so that a
- *             machine taken back in time is typed the same again; what was printed already is not
- *             printed twice.
+ *             machine taken back in time is typed the same again, unless somebody types something
+ *             else; what was printed already is not printed twice.
  * Ownership:  vm_console_free releases the queue; source and sink belong to the caller.
  * Errors:     out of memory: vm_console_type is false and nothing was typed.
  */
@@ -61,7 +61,8 @@ struct vm_console {
 void vm_console_init(struct vm_console *c, const struct vm_console_desc *desc);
 void vm_console_free(struct vm_console *c);
 
-/* Bytes typed at `t`. */
+/* Bytes typed at `t`. What had been typed later, before the machine was taken back to then, will not
+ * be. */
 bool vm_console_type(struct vm_console *c, const char *bytes, size_t length, uint64_t t);
 /* Nothing more will be typed. */
 void vm_console_close(struct vm_console *c);

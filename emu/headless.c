@@ -92,26 +92,44 @@ static void drain(struct vm_rig *rig)
 /* ---- the outcome --------------------------------------------------------------------------------
  */
 
-static void say_speed(const struct vm_rig *rig, const struct vm_input *input, uint64_t from,
-                      double took)
+/* What there was before a run: all of it is 0 but after --load-state. */
+struct before {
+    uint64_t now, words, strokes, refreshes, retired, printed;
+};
+
+static struct before before(const struct vm_rig *rig)
 {
     const struct vm_machine *m = rig->machine;
-    double simulated = (double)(m->now - from) / (double)CRT_PS_PER_S;
+    return (struct before){.now = m->now,
+                           .words = m->dpu.words,
+                           .strokes = m->strokes,
+                           .refreshes = m->refreshes.last.number,
+                           .retired = rig->board ? rv_retired(&rig->board->cpu) : 0,
+                           .printed = rig->console ? rig->console->sent : 0};
+}
+
+static void say_speed(const struct vm_rig *rig, const struct vm_input *input,
+                      const struct before *b, double took)
+{
+    const struct before after = before(rig);
+    double simulated = (double)(after.now - b->now) / (double)CRT_PS_PER_S;
+    took = took > 1e-9 ? took : 1e-9;
     fprintf(
         stderr,
         "%s: %.6g simulated seconds in %.3g s, %.0f simulated seconds a second; %llu words, %llu "
         "strokes, %llu refreshes\n",
-        input->name, simulated, took, simulated / (took > 1e-9 ? took : 1e-9),
-        (unsigned long long)m->dpu.words, (unsigned long long)m->strokes,
-        (unsigned long long)m->refreshes.last.number);
+        input->name, simulated, took, simulated / took,
+        (unsigned long long)(after.words - b->words),
+        (unsigned long long)(after.strokes - b->strokes),
+        (unsigned long long)(after.refreshes - b->refreshes));
     if (!rig->board)
         return;
     fprintf(stderr, "%s: %llu instructions, %.0f million a second", input->name,
-            (unsigned long long)rv_retired(&rig->board->cpu),
-            (double)rv_retired(&rig->board->cpu) / (took > 1e-9 ? took : 1e-9) / 1e6);
-    if (rig->console->sent)
+            (unsigned long long)(after.retired - b->retired),
+            (double)(after.retired - b->retired) / took / 1e6);
+    if (after.printed > b->printed)
         fprintf(stderr, "; the console printed %llu bytes, --console shows them",
-                (unsigned long long)rig->console->sent);
+                (unsigned long long)(after.printed - b->printed));
     fputs("\n", stderr);
 }
 
@@ -194,14 +212,14 @@ static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct v
     struct run r = {.rig = rig};
     bool ok = join(&r, h, &terminal, err);
     double begin = seconds();
-    uint64_t from = rig->machine->now;
+    const struct before b = before(rig);
     if (ok)
         run(&r, limit);
     if (ok && h->console)
         drain(rig);
     part(&r);
     if (ok && !h->console && !h->gdb)
-        say_speed(rig, input, from, seconds() - begin);
+        say_speed(rig, input, &b, seconds() - begin);
     *left = terminal.left || (h->gdb && vm_gdb_killed(h->gdb));
     return ok;
 }

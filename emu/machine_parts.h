@@ -17,8 +17,8 @@ void vm_count_stroke(struct vm_machine *m, const struct crt_stroke *stroke);
 struct vm_counts vm_counts(const struct vm_machine *m);
 /* START at t; a refresh may begin with it. */
 void vm_start(struct vm_machine *m, uint16_t address, uint64_t t);
-/* Sets the level of a line of the board's interrupt controller that changes at t. */
-void vm_line(struct vm_machine *m, unsigned line, bool level, uint64_t t);
+/* The line of the board's interrupt controller that each interrupt drives. */
+extern const unsigned vm_lines[DF_INT_COUNT];
 /* When the next line of the display processor changes, and the change. */
 uint64_t vm_wires_next(const struct vm_machine *m);
 void vm_wires_change(struct vm_machine *m, uint64_t t);

@@ -1,12 +1,8 @@
 /* A machine in a snapshot: time, counts, what a refresh is, display memory, display processor; and
  * the board with its console where there is one. */
-#include "emu/machine.h"
-#include "emu/memmap.h"
+#include "emu/machine_parts.h"
 
 #define VERSION 1
-
-/* Later times leave too little of 64 bits to go on, ps. */
-#define LATEST (UINT64_C(1) << 63)
 
 static void refresh_state(struct vm_refresh *r, struct crt_state *s)
 {
@@ -83,7 +79,7 @@ static bool sane_program(const struct vm_machine *m)
 /* The tick before the next one has happened, the next one has not. */
 static bool sane_time(const struct vm_machine *m)
 {
-    return m->now < LATEST && m->loaded <= m->now && m->ticks > 0 &&
+    return m->now < CRT_STATE_LATEST && m->loaded <= m->now && m->ticks > 0 &&
            m->ticks - 1 <= crt_tick_at(m->desc.tick, m->now) &&
            crt_tick_time(m->desc.tick, m->ticks) >= m->now;
 }
@@ -114,15 +110,12 @@ static bool sane_beam(const struct vm_machine *m)
 /* A line of the board is as the display processor has it, or has still to change. */
 static bool sane_lines(const struct vm_machine *m)
 {
-    static const unsigned lines[DF_INT_COUNT] = {[DF_INT_STOP] = IRQ_LINE_STOP,
-                                                 [DF_INT_PEN] = IRQ_LINE_PEN,
-                                                 [DF_INT_CHARACTER] = IRQ_LINE_CHAR};
     for (int i = 0; i < DF_INT_COUNT; i++) {
         uint64_t change = m->interrupt[i].change;
-        if (change != VM_NEVER && (!m->desc.board || change < m->now || change >= LATEST))
+        if (change != VM_NEVER && (!m->desc.board || change < m->now || change >= CRT_STATE_LATEST))
             return false;
         if (m->desc.board && change == VM_NEVER &&
-            (m->desc.board->irq.pending >> lines[i] & 1) != m->dpu.pending[i])
+            (m->desc.board->irq.pending >> vm_lines[i] & 1) != m->dpu.pending[i])
             return false;
     }
     return true;

@@ -2,7 +2,6 @@
  * what starts it. */
 #include "display_file/df_regs.h"
 #include "emu/machine_parts.h"
-
 #include "emu/memmap.h"
 
 struct vm_counts vm_counts(const struct vm_machine *m)
@@ -44,7 +43,10 @@ static uint64_t offer(void *ctx, const struct crt_stroke *stroke)
 /* ---- interrupt lines ----------------------------------------------------------------------------
  */
 
-void vm_line(struct vm_machine *m, unsigned line, bool level, uint64_t t)
+const unsigned vm_lines[DF_INT_COUNT] = {
+    [DF_INT_STOP] = IRQ_LINE_STOP, [DF_INT_PEN] = IRQ_LINE_PEN, [DF_INT_CHARACTER] = IRQ_LINE_CHAR};
+
+static void set_line(struct vm_machine *m, unsigned line, bool level, uint64_t t)
 {
     bool is = (bool)(m->desc.board->irq.pending >> line & 1);
     if (is == level) /* it was to rise, and START came before that */
@@ -79,15 +81,12 @@ uint64_t vm_wires_next(const struct vm_machine *m)
 
 void vm_wires_change(struct vm_machine *m, uint64_t t)
 {
-    static const unsigned lines[DF_INT_COUNT] = {[DF_INT_STOP] = IRQ_LINE_STOP,
-                                                 [DF_INT_PEN] = IRQ_LINE_PEN,
-                                                 [DF_INT_CHARACTER] = IRQ_LINE_CHAR};
     for (int line = 0; line < DF_INT_COUNT; line++) {
         struct vm_interrupt *i = &m->interrupt[line];
         if (i->change > t)
             continue;
         i->change = VM_NEVER;
-        vm_line(m, lines[line], i->pending, t);
+        set_line(m, vm_lines[line], i->pending, t);
     }
 }
 

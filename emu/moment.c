@@ -60,12 +60,28 @@ static bool run_to_event(struct vm_machine *m, enum event event, long number, ui
     return found;
 }
 
+/* Why an event has not come: the program is over, or the time is. */
+static int no_event(const struct vm_machine *m, const char *when, uint64_t timeout,
+                    struct crt_error *err)
+{
+    char text[32];
+    int exit_status;
+    if (vm_machine_exited(m, &exit_status)) {
+        crt_fail(err, "%.60s never comes: the program has ended itself before, with status %d",
+                 when, exit_status);
+        return 1;
+    }
+    vm_format_time(timeout, text, sizeof text);
+    crt_fail(err, "%.60s has not come within %s of simulated time; --timeout allows more", when,
+             text);
+    return 3;
+}
+
 static int find_event(struct vm_machine *m, const char *when, uint64_t timeout, uint64_t *moment,
                       struct crt_error *err)
 {
     enum event event;
     long number = 0;
-    char text[32];
     if (!parse_event(when, &event, &number, err))
         return 2;
     if ((event == EVENT_CONSOLE || event == EVENT_MARK) && !m->desc.board) {
@@ -76,12 +92,7 @@ static int find_event(struct vm_machine *m, const char *when, uint64_t timeout, 
         vm_console_watch(m->desc.console, when + strlen("console:"));
     bool found = run_to_event(m, event, number, timeout);
     *moment = m->now;
-    if (found && m->now <= timeout)
-        return 0;
-    vm_format_time(timeout, text, sizeof text);
-    crt_fail(err, "%.60s has not come within %s of simulated time; --timeout allows more", when,
-             text);
-    return 3;
+    return found && m->now <= timeout ? 0 : no_event(m, when, timeout, err);
 }
 
 /* The first complete refresh once things have settled; a program that never completes one is shown

@@ -1,6 +1,10 @@
 #include "emu/saved.h"
 
+#include <string.h>
+
+#include "emu/command.h"
 #include "emu/debug/snapshot.h"
+#include "emu/out_file.h"
 
 #define ROW(field) offsetof(struct vm_saved_options, field)
 
@@ -10,6 +14,24 @@ const struct vm_option vm_saved_rows[VM_SAVED_ROWS] = {
     {"load-state", 0, VM_OPT_STRING, ROW(load), "FILE",
      "go on from the machine in FILE, made with the same program and tube", 0, 0},
 };
+
+static bool spares(const struct vm_saved_options *o, const char *program, const char *firmware,
+                   const char *out, struct crt_error *err)
+{
+    if (!vm_out_spares(o->save, program, err) || !vm_out_spares(o->save, firmware, err) ||
+        !vm_out_spares(out, o->load, err))
+        return false;
+    return !o->save || !out || strcmp(o->save, out) != 0 ||
+           crt_fail(err, "--save-state: %.200s is where the output goes; give another name", out);
+}
+
+int vm_saved_check(const struct vm_saved_options *o, const char *program, const char *firmware,
+                   const char *out, struct crt_error *err)
+{
+    if (!spares(o, program, firmware, out, err))
+        return VM_EXIT_USAGE;
+    return !o->save || vm_out_check(o->save, err) ? VM_EXIT_OK : VM_EXIT_TROUBLE;
+}
 
 bool vm_saved_load(const struct vm_saved_options *o, struct vm_rig *rig,
                    const struct vm_settings *settings, const struct vm_input *input,

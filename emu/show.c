@@ -122,7 +122,7 @@ static void run_frame(struct vm_show *show, double now)
     struct crt_error err;
     if (show->desc->length.given &&
         vm_time_ps(&show->desc->length, show->program->settings.tick, &length, &err) &&
-        m->now >= length)
+        m->now - show->program->from >= length)
         show->quit = true;
 }
 
@@ -162,7 +162,7 @@ static void look_after_program(struct vm_show *show, double now)
     if (show->touring && !show->paused && now - show->rom_since >= ROM_S &&
         !vm_show_tour(show, 1, &err))
         vm_show_say(show, err.text);
-    if (show->desc->console && show->program->rig.console)
+    if (show->desc->console)
         look_after_console(show);
     if (!show->trouble_shown &&
         show->program->rig.machine->now >= show->program->rig.machine->loaded + CRT_PS_PER_S / 2) {
@@ -233,8 +233,9 @@ static bool check_program(const struct vm_show_desc *d, struct crt_error *err)
     struct vm_input input;
     char *report;
     if (vm_input_load(&input, d->path, d->input, err, &report)) {
-        bool ok = !d->gdb || input.has_firmware ||
-                  crt_fail(err, "--gdb: %s has no firmware to debug", input.name);
+        bool ok =
+            input.has_firmware || (!d->gdb && !d->console) ||
+            crt_fail(err, "%s: %s has no firmware", d->console ? "--console" : "--gdb", input.name);
         vm_input_free(&input);
         return ok;
     }

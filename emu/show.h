@@ -55,6 +55,7 @@ struct vm_shown {
     struct crt_film film;
     struct vm_history *history; /* NULL: no memory for it, or there is nothing to step by */
     struct vm_gdb_past past;    /* a debugger's way to it */
+    uint64_t from;              /* when the show of it began: later than 0 with --load-state */
 };
 
 struct vm_show {

@@ -84,6 +84,7 @@ static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, st
     /* --load-state is for the program that the show begins with. */
     if (!show->program && !vm_saved_load(d->saved, &p->rig, &p->settings, &p->input, err))
         return false;
+    p->from = p->rig.machine->now;
     if (!crt_film_init(&p->film, p->rig.tube, err))
         return false;
     /* Without memory for it the show goes on, only not back. */

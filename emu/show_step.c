@@ -142,7 +142,7 @@ void vm_show_next_unit(struct vm_show *show)
     show->unit = show->unit == VM_UNIT_REFRESH                            ? VM_UNIT_WORD
                  : show->unit == VM_UNIT_WORD && show->program->rig.board ? VM_UNIT_INSTRUCTION
                                                                           : VM_UNIT_REFRESH;
-    snprintf(text, sizeof text, "steps by a %s - Right Ctrl with Left, Right",
-             unit_names[show->unit]);
+    snprintf(text, sizeof text, "steps by a%s %s - Right Ctrl with Left, Right",
+             show->unit == VM_UNIT_INSTRUCTION ? "n" : "", unit_names[show->unit]);
     vm_show_say(show, text);
 }

@@ -103,8 +103,10 @@ static void print_refresh(FILE *out, const struct vm_settings *s, const struct m
             s->row.name);
 }
 
-static void print_rate(FILE *out, const struct measure *m)
+static void print_rate(FILE *out, const struct vm_input *input, const struct measure *m)
 {
+    const char *stops = input->has_firmware ? "started again by its firmware"
+                                            : "started again at the sync tick after its stop word";
     if (m->periods == 0) {
         fprintf(out, "  %-13s none: the program is not refreshed again\n", "refresh rate");
         return;
@@ -113,7 +115,7 @@ static void print_rate(FILE *out, const struct measure *m)
         (double)m->periods * (double)CRT_PS_PER_S / (double)(m->last_begin - m->first_begin);
     fprintf(out, "  %-13s %.4g Hz, %s\n", "refresh rate", hz,
             m->flow.synchronised ? "waiting for the sync tick"
-            : m->flow.stops      ? "started again at the sync tick after its stop word"
+            : m->flow.stops      ? stops
                                  : "running freely, without sync");
 }
 
@@ -160,7 +162,7 @@ static void print_all(FILE *out, const struct vm_settings *s, const struct vm_in
         fprintf(out, ", the first refresh (--for T measures all within T)");
     fputc('\n', out);
     print_refresh(out, s, m, low, high);
-    print_rate(out, m);
+    print_rate(out, input, m);
     print_fit(out, s, m, high);
     print_count(out, "words", m->words, m);
     fputc('\n', out);

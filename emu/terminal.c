@@ -52,7 +52,7 @@ static void on_signal(int number)
     errno = saved;
 }
 
-static void catch (const int *numbers, size_t count)
+static void handle(const int *numbers, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         struct sigaction action = {.sa_handler = on_signal}, before;
@@ -76,8 +76,8 @@ static bool go_raw(struct crt_error *err)
     if (!prepared) {
         prepared = true;
         atexit(restore);
-        catch (ending, sizeof ending / sizeof *ending);
-        catch (stopping, sizeof stopping / sizeof *stopping);
+        handle(ending, sizeof ending / sizeof *ending);
+        handle(stopping, sizeof stopping / sizeof *stopping);
     }
     is_raw = 1;
     if (tcsetattr(STDIN_FILENO, TCSANOW, &raw) == 0)
@@ -141,7 +141,7 @@ static void key(struct vm_terminal *t, struct vm_console *console, char byte, ui
     t->escape = !escaped && byte == ESCAPE;
     if (escaped && (byte == 'x' || byte == 'X'))
         t->left = true;
-    else if (!t->escape && (!escaped || byte == ESCAPE))
+    else if (console && !t->escape && (!escaped || byte == ESCAPE))
         vm_console_type(console, &byte, 1, time);
 }
 

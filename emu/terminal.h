@@ -34,7 +34,8 @@ void vm_terminal_close(struct vm_terminal *terminal);
 /* The console's source (a pipe's only) and sink. */
 struct vm_console_desc vm_terminal_console(struct vm_terminal *terminal);
 
-/* Of a terminal: waits up to `seconds` for keys and types what came, at t. */
+/* Of a terminal: waits up to `seconds` for keys and types what came, at t. `console` NULL: there is
+ * nobody to type for, but who types can leave. */
 void vm_terminal_poll(struct vm_terminal *terminal, struct vm_console *console, uint64_t t,
                       double seconds);
 

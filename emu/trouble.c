@@ -23,9 +23,13 @@ static void explain_dark(const struct vm_machine *m, const struct vm_input *inpu
                          struct crt_error *sentence)
 {
     char where[96], after[32];
+    int status;
     vm_format_time(m->now - m->loaded, after, sizeof after);
     if (input->is_recording) {
         crt_fail(sentence, "%s has no stroke in its first %s", input->name, after);
+    } else if (vm_machine_exited(m, &status)) {
+        crt_fail(sentence, "%s has ended itself with status %d and has not lit the beam",
+                 input->name, status);
     } else if (m->refreshes.flow.loops) {
         place(input, m->refreshes.flow.head == VM_NO_HEAD ? m->entry : m->refreshes.flow.head,
               where, sizeof where);
@@ -85,12 +89,18 @@ static void explain_trap(const struct vm_machine *m, const struct vm_input *inpu
              moment);
 }
 
-void vm_print_registers(FILE *out, const struct rv_cpu *cpu)
+void vm_print_registers(FILE *out, struct rv_cpu *cpu)
 {
     for (unsigned i = 0; i < 32; i++)
         fprintf(out, "  %5s %08x%s", rv_x_name(i), cpu->x[i], i % 4 == 3 ? "\n" : "");
-    fprintf(out, "   mstatus %08x  mtvec %08x  mepc %08x  mcause %08x  mtval %08x\n", cpu->mstatus,
-            cpu->mtvec, cpu->mepc, cpu->mcause, cpu->mtval);
+    /* As csrr reads them. */
+    static const unsigned csrs[] = {0x300, 0x305, 0x341, 0x342, 0x343};
+    for (unsigned i = 0; i < sizeof csrs / sizeof *csrs; i++) {
+        uint32_t value = 0;
+        rv_csr_read(cpu, csrs[i], &value);
+        fprintf(out, "%s%s %08x", i ? "  " : "   ", rv_csr_name(csrs[i]), value);
+    }
+    fputc('\n', out);
 }
 
 enum vm_trouble vm_find_trouble(const struct vm_machine *m, const struct vm_input *input,

@@ -27,6 +27,6 @@ enum vm_trouble vm_find_trouble(const struct vm_machine *m, const struct vm_inpu
                                 struct crt_error *sentence);
 
 /* The registers at an unhandled trap, as a table of several lines. */
-void vm_print_registers(FILE *out, const struct rv_cpu *cpu);
+void vm_print_registers(FILE *out, struct rv_cpu *cpu);
 
 #endif

@@ -9,7 +9,8 @@
 #
 # The same sources and tool versions (roms/TOOLCHAIN) give the same bytes wherever the tree lies:
 # paths are mapped away, and what a build would tell of itself is stripped. Symbols stay.
-# ROM_O says where objects go.
+# ROM_O says where objects go; ROM_O/linked/NAME.elf is the same program before stripping, with source
+# lines for gdb.
 
 ROM_CROSS ?= riscv64-unknown-elf-
 ROM_O     ?= o/roms
@@ -17,7 +18,7 @@ ROM_O     ?= o/roms
 # Never _zicsr or _zifencei in -march when linking: the compiler then picks a 64-bit library.
 ROM_ARCH   := -march=rv32imf -mabi=ilp32f -mcmodel=medany
 ROM_SPECS  := --specs=picolibc.specs
-ROM_CFLAGS := $(ROM_SPECS) $(ROM_ARCH) -std=c11 $(WARN) -Os -fno-math-errno -ffunction-sections \
+ROM_CFLAGS := $(ROM_SPECS) $(ROM_ARCH) -std=c11 $(WARN) -Os -g -fno-math-errno -ffunction-sections \
               -fdata-sections -fno-asynchronous-unwind-tables "-ffile-prefix-map=$(CURDIR)=." -I.
 ROM_LDFLAGS := -nostartfiles -T $(ROM_O)/link.ld -Wl,--gc-sections -Wl,--build-id=none -Wl,-n \
               -Wl,-z,noexecstack -Wl,--fatal-warnings

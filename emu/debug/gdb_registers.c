@@ -31,6 +31,8 @@ bool vm_gdb_set_pc(struct vm_gdb_session *s, uint32_t pc)
 {
     if (pc % 4 != 0)
         return false;
+    if (pc != s->target.cpu->pc && s->target.cpu->state == RV_WAITING)
+        s->target.cpu->state = RV_RUNNING; /* the wfi is left behind */
     s->target.cpu->pc = pc;
     s->changed = true;
     return true;

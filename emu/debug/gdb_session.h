@@ -9,6 +9,7 @@
  *             A step passes over interrupt handlers: what an interrupt starts runs to its mret
  *             first ("monitor step into" steps through them as well). Nothing in memory is changed
  *             for a breakpoint and no clock stands still: the program runs as without a debugger.
+ *             Another pc ends a wait in wfi.
  * Ownership:  the caller's struct (about 100 KiB); nothing is allocated.
  * Errors:     bytes are hostile: what is malformed is answered E22 or not at all, unknown packets
  *             with an empty reply; memory that is not there E14; too many points E28.

@@ -15,7 +15,7 @@
  *             age, so that the spacing grows with age.
  * Films:      that are open on the rig's tube are cancelled by going back.
  * Ownership:  vm_history_create allocates, vm_history_destroy frees; the rig must outlive it.
- * Errors:     one sentence. Out of memory: there is less history.
+ * Errors:     one sentence. Out of memory: there is less history, or none before a mark.
  */
 #ifndef EMU_DEBUG_HISTORY_H
 #define EMU_DEBUG_HISTORY_H

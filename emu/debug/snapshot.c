@@ -108,7 +108,7 @@ bool vm_snapshot_save(const char *path, struct vm_rig *rig, const struct vm_sett
 
 static bool intact(const uint8_t *bytes, size_t size, const char *name, struct crt_error *err)
 {
-    uint8_t sum[VM_SNAPSHOT_SUM];
+    uint8_t sum[VM_SNAPSHOT_SUM] = {0};
     uint64_t length = 0;
     uint32_t version = 0;
     struct crt_state s;

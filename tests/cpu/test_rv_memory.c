@@ -186,7 +186,7 @@ static void device_sees_accesses(void **state)
         uint64_t cycle = r->cpu.cycle;
         assert_true(execute(w_i(w->funct3, 0x03, A0, A1, (int32_t)place), i % 2));
         const uint8_t bytes[] = {0xB3, 0xA2, 0x91, 0x80};
-        assert_int_equal(r->cpu.x[A0], expected(bytes + place - 12, w));
+        assert_int_equal(r->cpu.x[A0], expected(bytes + (place - 12), w));
         assert_int_equal(r->address, RIG_DEVICE + place);
         assert_int_equal(r->width, w->bytes);
         assert_false(r->was_store);

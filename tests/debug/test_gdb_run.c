@@ -288,6 +288,9 @@ static void waits(void **state)
     ask_run(a, 5);
     assert_memory_equal(a->said, "T0202:", 6);
     assert_int_equal(a->bare.cpu.state, RV_WAITING);
+    /* Somewhere else it does not wait, as when gdb calls a function. */
+    assert_reply(a, "P20=00000080", "OK");
+    assert_stop(a, "s", "T05", 4);
 }
 
 /* However it is stopped and stepped, the program does what it does alone. */

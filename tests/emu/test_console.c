@@ -155,6 +155,31 @@ static void back_in_time_the_same_is_typed_and_nothing_printed_twice(void **stat
     vm_console_free(&then);
 }
 
+/* Who types after going back makes another future. */
+static void typing_after_going_back(void **state)
+{
+    (void)state;
+    struct vm_console c;
+    struct crt_state saved, loaded;
+    vm_console_init(&c, &nobody);
+    assert_true(vm_console_type(&c, "a", 1, 100));
+    crt_state_save(&saved);
+    vm_console_state(&c, &saved);
+    assert_true(vm_console_type(&c, "b", 1, 200));
+    assert_int_equal(vm_console_take(&c, 200), 'a');
+    assert_int_equal(vm_console_take(&c, 300), 'b');
+    crt_state_load(&loaded, saved.out, saved.size);
+    vm_console_state(&c, &loaded);
+    assert_false(loaded.failed);
+    assert_true(vm_console_type(&c, "x", 1, 150));
+    assert_int_equal(vm_console_take(&c, 150), 'a');
+    assert_int_equal(vm_console_next(&c, 0), 150);
+    assert_int_equal(vm_console_take(&c, 160), 'x');
+    assert_int_equal(vm_console_next(&c, 0), UINT64_MAX);
+    crt_state_free(&saved);
+    vm_console_free(&c);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -163,6 +188,7 @@ int main(void)
         cmocka_unit_test(a_pipe_is_asked_only_when_a_byte_is_due),
         cmocka_unit_test(the_watch_finds_text_however_it_overlaps),
         cmocka_unit_test(back_in_time_the_same_is_typed_and_nothing_printed_twice),
+        cmocka_unit_test(typing_after_going_back),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

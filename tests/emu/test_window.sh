@@ -93,6 +93,14 @@ report $? "nothing was complained about"
 
 "$KINESCOPE" run "$programs/star.df" --for 0.2s --size 300x300
 report $? "--for ends the show"
+"$KINESCOPE" run "$programs/star.df" --headless --for 1s --save-state one 2>/dev/null &&
+    "$KINESCOPE" run "$programs/star.df" --load-state one --for 0.2s --size 300x300 --save-state more &&
+    "$KINESCOPE" trace "$programs/star.df" --load-state more --for 1f |
+    awk 'BEGIN { early = 1 } $1 == "dpu" { early = $2 < 1.2e12; exit } END { exit early }'
+report $? "of a saved machine it counts from there"
+"$KINESCOPE" run "$programs/star.df" --console 2>bad.log
+[ $? -eq 1 ] && grep -q 'no firmware' bad.log
+report $? "--console needs firmware"
 printf '  frob 1\n' >bad.df
 "$KINESCOPE" run bad.df 2>bad.log
 [ $? -eq 1 ] && [ "$(grep -c 'bad.df:1:3: unknown' bad.log)" -eq 1 ]

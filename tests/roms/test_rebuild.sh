@@ -40,6 +40,9 @@ for image in $(cd "$top" && images); do
     cmp "$top/$image" "$image" >"$work/said" 2>&1
     report $? "$image has the same bytes"
 done
+riscv64-unknown-elf-readelf -S o/roms/linked/hello.elf >"$work/said" 2>&1
+grep -q debug_line "$work/said"
+report $? "before stripping programs have source lines for gdb"
 (cd "$top" && images) >"$work/kept"
 images | diff "$work/kept" - >"$work/said"
 report $? "every program has its image"
