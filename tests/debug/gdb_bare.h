@@ -60,6 +60,38 @@ static const uint32_t bare_timer[] = {
     0x30200073,                   /* 50 mret */
 };
 
+/* Waits for the timer's line 500 clocks, with interrupts off; then counts a0. */
+static const uint32_t bare_wait[] = {
+    0x800002b7, /*    lui t0,0x80000 */
+    0x04028293, /*    addi t0,t0,0x40 */
+    0x30529073, /*    csrw mtvec,t0 */
+    0x1f400313, /*    li t1,500 */
+    0x20602023, /*    sw t1,0x200(zero) */
+    0x08000393, /*    li t2,128 */
+    0x3043a073, /*    csrs mie,t2 */
+    0x10500073, /* 1c wfi */
+    0x00150513, /* 20 addi a0,a0,1 */
+    0xffdff06f, /*    j 20 */
+};
+
+/* In place of the handler of bare_timer: one that makes a call of its own, which it handles, too. */
+static const uint32_t bare_nested[] = {
+    0x34202e73, /* 40 csrr t3,mcause */
+    0x34102ef3, /*    csrr t4,mepc */
+    0x020e5063, /*    bgez t3,68 */
+    0x00178793, /*    addi a5,a5,1 */
+    0x01400313, /*    li t1,20 */
+    0x20602023, /*    sw t1,0x200(zero) */
+    0x000e8f13, /*    mv t5,t4 */
+    0x00000073, /* 5c ecall */
+    0x341f1073, /*    csrw mepc,t5 */
+    0x30200073, /*    mret */
+    0x00180813, /* 68 addi a6,a6,1 */
+    0x004e8e93, /*    addi t4,t4,4 */
+    0x341e9073, /*    csrw mepc,t4 */
+    0x30200073, /*    mret */
+};
+
 struct bare_kept {
     struct rv_cpu cpu;
     uint64_t timer;

@@ -131,6 +131,15 @@ static void watchpoints(void **state)
     assert_reply(a, "c", "W03");
 }
 
+static void bytes_beside_an_access(void **state)
+{
+    struct asker *a = *state;
+    assert_reply(a, "Z4,80000ffc,4", "OK");
+    assert_reply(a, "Z4,80001004,1", "OK");
+    assert_reply(a, "Z4,80001006,4", "OK");
+    assert_reply(a, "c", "W03");
+}
+
 static void store_that_traps(void **state)
 {
     struct asker *a = *state;
@@ -206,6 +215,22 @@ static void steps_over_handlers(void **state)
         assert_int_equal(a->bare.cpu.x[10], round);
     }
     assert_true(a->bare.cpu.x[15] > 5); /* the handler has run all the same */
+}
+
+/* A trap within a handler is part of it. */
+static void steps_over_traps_in_handlers(void **state)
+{
+    struct asker *a = *state;
+    memcpy(a->bare.memory + 0x40, bare_nested, sizeof bare_nested);
+    for (unsigned at = 4; at <= 0x24; at += 4)
+        assert_stop(a, "s", "T05", at);
+    for (int round = 1; round < 40; round++) {
+        assert_stop(a, "s", "T05", 0x28);
+        assert_stop(a, "s", "T05", 0x2c);
+        assert_stop(a, "s", "T05", 0x24);
+    }
+    assert_true(a->bare.cpu.x[15] > 5);
+    assert_int_equal(a->bare.cpu.x[16], a->bare.cpu.x[15]);
 }
 
 static void steps_into_handlers(void **state)
@@ -310,6 +335,22 @@ static void back_by_steps(void **state)
     assert_stop(a, "s", "T05", 4);
 }
 
+/* What came before a long wait is far back in time. */
+static void back_over_a_wait(void **state)
+{
+    ask_end(*state);
+    struct asker *a = *state = ASK_BEGIN(bare_wait, 1000);
+    for (unsigned at = 4; at <= 0x20; at += 4)
+        assert_stop(a, "s", "T05", at);
+    assert_true(a->bare.cpu.cycle > 500);
+    assert_stop(a, "bs", "T05", 0x1c);
+    assert_int_equal(a->bare.cpu.cycle, 7);
+    assert_int_equal(a->bare.cpu.state, RV_RUNNING);
+    assert_stop(a, "bs", "T05", 0x18);
+    assert_reply(a, "Z0,80000024,4", "OK");
+    assert_stop(a, "c", "T05", 0x24);
+}
+
 static void back_to_breakpoints(void **state)
 {
     struct asker *a = *state;
@@ -396,16 +437,19 @@ int main(void)
         LOOP(breakpoints),
         LOOP(kinds_of_breakpoints),
         LOOP(watchpoints),
+        LOOP(bytes_beside_an_access),
         LOOP(store_that_traps),
         LOOP(stepping_a_range),
         LOOP(interrupted),
         LOOP(traps_nobody_handles),
         TIMER(steps_over_handlers),
+        TIMER(steps_over_traps_in_handlers),
         TIMER(steps_into_handlers),
         TIMER(breaks_in_handlers),
         TIMER(waits),
         TIMER(changes_nothing),
         KEPT(back_by_steps),
+        KEPT(back_over_a_wait),
         KEPT(back_to_breakpoints),
         KEPT(back_to_accesses),
         KEPT(back_from_the_end),

@@ -175,9 +175,11 @@ static void dying_with_replies(void **state)
         int fd = connect_to(p);
         for (int n = 0; n < 50; n++)
             assert_true(send(fd, "$m80000000,2000#e3", 18, MSG_NOSIGNAL) == 18);
-        setsockopt(fd, SOL_SOCKET, SO_LINGER, &now, sizeof now);
-        run(p, 10);
-        close(fd); /* resets the connection */
+        if (i % 2 == 0) { /* in the middle, by a reset */
+            setsockopt(fd, SOL_SOCKET, SO_LINGER, &now, sizeof now);
+            run(p, 10);
+        } /* else before the first reply, which nobody takes */
+        close(fd);
         run(p, 10);
     }
     while (run(p, 1000) == VM_GDB_HELD)
@@ -225,6 +227,29 @@ static void endings(void **state)
     p->bare.over = false;
     assert_string_equal(talk(p, fd, "$k#6b", 1), "+");
     assert_int_equal(run(p, 10), VM_GDB_OVER);
+    close(fd);
+}
+
+/* A trap that nobody handles ends a run that nobody debugs; a client can still look at it. */
+static void lost_alone(void **state)
+{
+    struct place *p = *state;
+    int fd = connect_to(p);
+    assert_string_equal(talk(p, fd, "$M80000024,4:00000000#f5", 7), "+$OK#9a");
+    assert_string_equal(talk(p, fd, "$M8000000c,4:13000000#26", 7), "+$OK#9a"); /* for csrw mtvec */
+    assert_string_equal(talk(p, fd, "$D#44", 7), "+$OK#9a");
+    assert_true(closed(fd));
+    close(fd);
+    enum vm_gdb_ran ran = VM_GDB_RAN;
+    for (int i = 0; i < 20 && ran != VM_GDB_OVER; i++)
+        ran = run(p, 1000);
+    assert_int_equal(ran, VM_GDB_OVER);
+    assert_int_equal(p->bare.cpu.state, RV_HALTED);
+    fd = connect_to(p);
+    for (int i = 0; i < 20 && ran != VM_GDB_HELD; i++)
+        ran = run(p, 1000);
+    assert_int_equal(ran, VM_GDB_HELD);
+    assert_memory_equal(talk(p, fd, "$c#63", 5), "+$T04", 5);
     close(fd);
 }
 
@@ -288,6 +313,7 @@ int main(void)
         TEST(one_at_a_time),
         TEST(detaching_and_interrupting),
         TEST(endings),
+        TEST(lost_alone),
         TEST(ended_from_outside),
         TEST(asking_without_reading),
     };
