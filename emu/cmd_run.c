@@ -27,7 +27,11 @@ static const struct vm_option rows[] = {
      "display file 10s)",
      0, 0},
     {"console", 0, VM_OPT_FLAG, ROW(console), "",
-     "join the firmware's console to the terminal, or to a pipe; Ctrl-A x leaves", 0, 0},
+     "join the firmware's console to the terminal, where every key is the firmware's and Ctrl-A x "
+     "leaves; or to a pipe, which is waited for whenever the firmware has been quiet for 10 ms, "
+     "and "
+     "after whose end it gets 0x04; </dev/null types nothing",
+     0, 0},
     {"gdb", 0, VM_OPT_STRING, ROW(gdb), "ADDRESS:PORT",
      "wait there for gdb before the first instruction of the firmware, and let it debug", 0, 0},
     {"gdb-anywhere", 0, VM_OPT_FLAG, ROW(gdb_anywhere), "",

@@ -59,8 +59,10 @@ uint64_t vm_console_next(const struct vm_console *c, uint64_t ready)
         uint64_t typed = c->queue[c->next].not_before;
         return typed > ready ? typed : ready;
     }
-    if (c->desc.source && !c->exhausted)
-        return ready;
+    if (c->desc.source && !c->exhausted) {
+        uint64_t quiet = c->last + VM_CONSOLE_QUIET_PS;
+        return c->in_line || quiet < ready ? ready : quiet;
+    }
     return c->ends && !c->ended ? ready : UINT64_MAX;
 }
 
@@ -73,8 +75,11 @@ int vm_console_take(struct vm_console *c, uint64_t t)
         else if (!vm_console_type(c, &(char){(char)byte}, 1, t))
             return byte; /* no memory to remember it: deliver it all the same */
     }
-    if (c->next < c->count)
-        return c->queue[c->next++].byte;
+    if (c->next < c->count) {
+        uint8_t byte = c->queue[c->next++].byte;
+        c->in_line = byte != '\n' && byte != '\r';
+        return byte;
+    }
     if (c->ends && !c->ended) {
         c->ended = true;
         return VM_CONSOLE_EOT;
@@ -117,6 +122,7 @@ void vm_console_print(struct vm_console *c, uint8_t byte, uint64_t t)
 {
     if (c->watch_length)
         look(c, (char)byte);
+    c->last = t;
     if (++c->sent <= c->shown)
         return;
     c->shown = c->sent;
@@ -131,6 +137,9 @@ void vm_console_state(struct vm_console *c, struct crt_state *s)
     crt_state_size(s, &next, SIZE_MAX);
     crt_state_bool(s, &c->ended);
     crt_state_u64(s, &c->sent);
+    crt_state_u64(s, &c->last);
+    crt_state_bool(s, &c->in_line);
+    crt_state_check(s, c->last < CRT_STATE_LATEST, "time of the console");
     crt_state_end(s);
     if (!s->loading || s->failed)
         return;

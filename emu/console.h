@@ -6,7 +6,9 @@
  * Models:     a line without errors. A byte is delivered when the receiver is empty, a byte's time
  *             after the one before, and not before the moment it was typed. Where input comes from
  *             a pipe the next byte is asked for at that very moment, so that what the guest sees
- *             does not depend on when the host had it. After the last byte of a pipe, or of
+ *             does not depend on when the host had it; but the first byte of a line only when the
+ *             guest has printed nothing for VM_CONSOLE_QUIET_PS, so that who waits at the other end
+ *             of two pipes has seen the question before the answer is asked for. After the last byte of a pipe, or of
  *             --type, comes one 0x04 (EOT).
  * Time:       picoseconds since power-on.
  * State:      position in the queue and number of bytes printed; the bytes typed are kept, so that a
@@ -25,6 +27,7 @@
 #include "crt/state.h"
 
 #define VM_CONSOLE_EOT       0x04
+#define VM_CONSOLE_QUIET_PS  UINT64_C(10000000000) /* 10 ms */
 #define VM_CONSOLE_WATCH_MAX 128
 
 struct vm_typed {
@@ -50,6 +53,8 @@ struct vm_console {
     size_t next;   /* of the queue */
     bool ended;    /* EOT was delivered */
     uint64_t sent; /* bytes the guest has printed */
+    uint64_t last; /* when the last of them came */
+    bool in_line;  /* the last byte taken was not the end of a line */
 
     /* the watch */
     char watch[VM_CONSOLE_WATCH_MAX];

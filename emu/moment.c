@@ -96,14 +96,17 @@ static int find_event(struct vm_machine *m, const char *when, uint64_t timeout, 
 }
 
 /* The first complete refresh once things have settled; a program that never completes one is shown
- * when they have. */
+ * when they have. A machine that was loaded has settled, but for the tick whose light is gathered. */
 static int find_refresh(struct vm_machine *m, const struct vm_time *timeout, uint64_t limit,
                         uint64_t *moment, struct crt_error *err)
 {
     char text[32];
-    *moment = VM_SETTLED_PS;
+    uint64_t loaded = m->now ? m->now + crt_tick_time(m->desc.tick, 1) : 0;
+    uint64_t settled = loaded > VM_SETTLED_PS ? loaded : VM_SETTLED_PS;
+    *moment = settled;
+    limit = limit > settled ? limit : settled + PATIENCE_PS;
     while (vm_machine_run_refresh(m, limit))
-        if (m->refreshes.last.begin >= VM_SETTLED_PS) {
+        if (m->refreshes.last.begin >= settled) {
             *moment = m->refreshes.last.end;
             return 0;
         }

@@ -83,10 +83,15 @@ static void a_pipe_is_asked_only_when_a_byte_is_due(void **state)
     struct pipe pipe = {"hi", 0};
     struct vm_console c;
     vm_console_init(&c, &(struct vm_console_desc){.ctx = &pipe, .source = from_pipe});
-    assert_int_equal(vm_console_next(&c, 7), 7);
+    /* Not before the guest has had time to ask, and 10 ms after it has done so. */
+    assert_int_equal(vm_console_next(&c, 7), VM_CONSOLE_QUIET_PS);
+    vm_console_print(&c, '?', 3000);
+    assert_int_equal(vm_console_next(&c, 7), 3000 + VM_CONSOLE_QUIET_PS);
+    assert_int_equal(vm_console_next(&c, 2 * VM_CONSOLE_QUIET_PS), 2 * VM_CONSOLE_QUIET_PS);
     assert_int_equal(pipe.asked, 0);
     assert_int_equal(vm_console_take(&c, 7), 'h');
     assert_int_equal(pipe.asked, 1);
+    assert_int_equal(vm_console_next(&c, 8), 8); /* within a line at once */
     assert_int_equal(vm_console_take(&c, 8), 'i');
     assert_int_equal(vm_console_take(&c, 9), VM_CONSOLE_EOT);
     assert_int_equal(vm_console_take(&c, 10), -1);

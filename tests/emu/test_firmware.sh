@@ -32,6 +32,20 @@ report $? "the same, whenever the host has it"
     "$KINESCOPE" run $hello --headless --console >"$work/slow" 2>"$work/said"
 cmp "$work/pipe" "$work/slow" >>"$work/said"
 report $? "the same from a hesitant pipe"
+# Two pipes: whoever answers waits for the question first.
+mkfifo "$work/to" "$work/from"
+timeout 30 "$KINESCOPE" run $hello --headless --console <"$work/to" >"$work/from" 2>"$work/said" &
+guest=$!
+exec 3>"$work/to" 4<"$work/from"
+(
+    while read -r line <&4; do case $line in *'control-D ends'*) break ;; esac; done
+    echo Joe >&3
+    while read -r line <&4; do case $line in *'You typed: Joe'*) exit 0 ;; esac; done
+    exit 1
+)
+report $? "a dialogue over two pipes"
+exec 3>&- 4<&-
+wait $guest 2>/dev/null
 "$KINESCOPE" run $hello --headless --console --type 'one\ntwo\n' </dev/null >"$work/typed" 2>"$work/said"
 cmp "$work/pipe" "$work/typed" >>"$work/said"
 report $? "--type types the same"
