@@ -113,7 +113,8 @@ struct rv_cpu {
 /* False: out of memory for the cache. Resets. */
 bool rv_init(struct rv_cpu *cpu, const struct rv_desc *desc);
 void rv_free(struct rv_cpu *cpu);
-/* Power-on: pc = memory_base, registers 0, interrupts off. ROM ranges and cycle stay. */
+/* Power-on: pc = memory_base, registers 0, interrupts off. ROM ranges, cycle and the levels of
+ * interrupt lines stay. */
 void rv_reset(struct rv_cpu *cpu);
 
 /* Stores to [low, high) within program memory trap from now on; false when there are too many
@@ -144,7 +145,8 @@ struct rv_hooks {
 };
 bool rv_watch(struct rv_cpu *cpu, uint64_t until, const struct rv_hooks *hooks);
 
-/* Level of an interrupt line (RV_INT_…). Leaves WFI when it is high and enabled in mie. */
+/* Level of an interrupt line (RV_INT_…). Leaves WFI when it is high and enabled in mie. A change asks
+ * for attention. */
 void rv_set_interrupt(struct rv_cpu *cpu, int line, bool level);
 /* From within a bus access: rv_run is to return after this instruction. */
 void rv_attention(struct rv_cpu *cpu);

@@ -3,6 +3,8 @@
 #include "emu/cpu/rv_parts.h"
 #include "emu/cpu/rv_word.h"
 
+_Static_assert(RV_DO_COUNT <= 256, "an op is a byte");
+
 #define SLOW ((struct rv_entry){.op = RV_DO_SLOW})
 
 /* What goes to x0 goes where nobody looks. */

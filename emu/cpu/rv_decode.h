@@ -1,7 +1,7 @@
 /* rv_decode.h — instruction words as entries that the loops run through.
  *
- *      memory   w0 w1 … w63 w64 …          a word each four bytes
- *      entries  e0 e1 … e63  C  e64 …      an entry a word, and a checkpoint after every 64
+ *      memory   w0 w1 … w15 w16 …          a word each four bytes
+ *      entries  e0 e1 … e15  C  e16 …      an entry a word, and a checkpoint after every 16
  *
  * Models:     the cache of decoded words. An entry says which handler of rv_ops.inc does the work
  *             and holds what the handler needs: registers, constants already relative to where they
@@ -20,7 +20,10 @@
 #include "emu/cpu/rv.h"
 #include "emu/cpu/rv_op_list.h"
 
-#define RV_RUN 64 /* instructions between checkpoints */
+/* Instructions between checkpoints. With few, slices of some ten clocks, as a running display processor
+ * leaves them, can use the fast loop to near their end; many cost less otherwise. Measured with 16
+ * against 64: slices of 75 clocks 17 % faster, endless ones 2 % slower. */
+#define RV_RUN 16
 
 enum rv_op {
     RV_DO_DECODE = 0,
