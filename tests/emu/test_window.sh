@@ -99,7 +99,7 @@ report $? "--for ends the show"
     awk 'BEGIN { early = 1 } $1 == "dpu" { early = $2 < 1.2e12; exit } END { exit early }'
 report $? "of a saved machine it counts from there"
 "$KINESCOPE" run "$programs/star.df" --console 2>bad.log
-[ $? -eq 1 ] && grep -q 'no firmware' bad.log
+[ $? -eq 2 ] && grep -q 'no firmware' bad.log
 report $? "--console needs firmware"
 printf '  frob 1\n' >bad.df
 "$KINESCOPE" run bad.df 2>bad.log
