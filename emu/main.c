@@ -33,8 +33,9 @@ static int unknown(const char *name)
 static int help(void)
 {
     printf("kinescope " VM_VERSION " — a simulated CRT display terminal you can program.\n\n"
-           "A display processor draws with a simulated electron beam; a phosphor glows and "
-           "decays.\n\n");
+           "Firmware runs on a simulated processor, a display processor draws with an electron "
+           "beam, a "
+           "phosphor\nglows and decays.\n\n");
     for (size_t i = 0; i < COMMANDS; i++)
         printf("  kinescope %-8s %-36s %s\n", commands[i]->name, commands[i]->arguments,
                commands[i]->summary);
@@ -43,7 +44,7 @@ static int help(void)
         "  kinescope run                                a tour, in a window\n"
         "  kinescope capture roms/rose.df -o rose.png   a picture, without a display\n\n"
         "Exit status: 0 done, 1 trouble with a file, the host or the program, 2 wrong usage, 3 too "
-        "late\n(compare: 0 same, 1 differ, 2 trouble).\n");
+        "late\n(compare: 0 same, 1 differ, 2 trouble; run of firmware: what it ended with).\n");
     return VM_EXIT_OK;
 }
 
