@@ -254,7 +254,7 @@ static int run(int argc, char **argv)
 
 const struct vm_command vm_command_trace = {
     "trace",
-    "FILE [--what dpu|beam|cpu|irq] [--summary]",
+    "FILE [--what dpu|beam|cpu|irq]",
     "Print what the machine does, one line per event",
     "dpu <time_ps> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo: a word, fetched at "
     "that time "

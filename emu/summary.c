@@ -16,6 +16,7 @@ struct measure {
     uint64_t late, first_late,
         first_late_begin; /* refreshes longer than a tick; the first's number */
     struct vm_flow flow;
+    bool declared; /* by firmware: refreshes have the waiting between them in them */
 };
 
 static void add(struct measure *m, const struct vm_refresh *r, uint64_t tick)
@@ -61,6 +62,7 @@ static bool measure(const struct vm_settings *s, const struct vm_input *input,
             add(result, &m->refreshes.last, crt_tick_time(s->tick, 1));
     }
     result->flow = m->refreshes.flow;
+    result->declared = m->refreshes.declared;
     if (result->refreshes == 0 && !vm_find_trouble(m, input, err))
         crt_fail(err, "%s completes no refresh in that time; it has no end and does not come round",
                  input->name);
@@ -114,9 +116,10 @@ static void print_rate(FILE *out, const struct vm_input *input, const struct mea
     double hz =
         (double)m->periods * (double)CRT_PS_PER_S / (double)(m->last_begin - m->first_begin);
     fprintf(out, "  %-13s %.4g Hz, %s\n", "refresh rate", hz,
-            m->flow.synchronised ? "waiting for the sync tick"
-            : m->flow.stops      ? stops
-                                 : "running freely, without sync");
+            m->declared            ? "as its firmware declares it, waiting included"
+            : m->flow.synchronised ? "waiting for the sync tick"
+            : m->flow.stops        ? stops
+                                   : "running freely, without sync");
 }
 
 static void print_fit(FILE *out, const struct vm_settings *s, const struct measure *m,
@@ -163,10 +166,11 @@ static void print_all(FILE *out, const struct vm_settings *s, const struct vm_in
     fputc('\n', out);
     print_refresh(out, s, m, low, high);
     print_rate(out, input, m);
-    print_fit(out, s, m, high);
+    if (!m->declared)
+        print_fit(out, s, m, high);
     print_count(out, "words", m->words, m);
     fputc('\n', out);
-    print_count(out, "instructions", m->instructions, m);
+    print_count(out, input->has_firmware ? "display instr." : "instructions", m->instructions, m);
     fputc('\n', out);
     print_count(out, "strokes", m->strokes, m);
     fprintf(out, ", beam on for %.1f %% of the refresh\n",
