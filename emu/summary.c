@@ -170,8 +170,8 @@ static void print_all(FILE *out, const struct vm_settings *s, const struct vm_in
         print_fit(out, s, m, high);
     print_count(out, "words", m->words, m);
     fputc('\n', out);
-    print_count(out, input->has_firmware ? "display instr." : "instructions", m->instructions, m);
-    fputc('\n', out);
+    print_count(out, "instructions", m->instructions, m);
+    fputs(input->has_firmware ? ", of the display processor\n" : "\n", out);
     print_count(out, "strokes", m->strokes, m);
     fprintf(out, ", beam on for %.1f %% of the refresh\n",
             100.0 * (double)m->lit / (double)m->total);

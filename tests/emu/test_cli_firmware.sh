@@ -106,7 +106,7 @@ says "a snapshot into no folder, at once" 1 "nowhere/x cannot be written" \
 # ---- words --------------------------------------------------------------------------------------
 says "firmware is no display file" 1 "stops.elf is firmware" disasm "$stops"
 kinescope trace "$stops" --summary
-check "who starts a refresh again: firmware" grep -q "238 Hz, started again by its firmware" "$work/out"
+check "what a refresh is: as firmware declares it" grep -q "238 Hz, as its firmware declares it" "$work/out"
 kinescope trace "$root/tests/programs/square.oct" --summary
 check "who starts a refresh again: the sync tick" grep -q "at the sync tick after its stop word" "$work/out"
 
