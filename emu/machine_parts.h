@@ -2,7 +2,12 @@
  *
  *      machine.c       making, loading, copying     machine_run.c   time: who is next
  *      machine_wires.c strokes, interrupt lines,    machine_bus.c   registers on the processor's bus
- *                      START and refreshes
+ *                      START and refreshes         machine_state.c snapshots
+ *
+ * Models:     see emu/machine.h.
+ * Time:       picoseconds since power-on.
+ * Ownership:  all of it works on the caller's machine.
+ * Errors:     none; guest trouble is a state of the machine.
  */
 #ifndef EMU_MACHINE_PARTS_H
 #define EMU_MACHINE_PARTS_H

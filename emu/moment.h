@@ -7,7 +7,10 @@
  *      neither                    end of the first complete refresh that begins at 0.5 s or later;
  *                                 of a recording its end
  *
+ * Models:     nothing. Stops and refreshes are counted from where the run begins: power-on, or the
+ *             machine of --load-state; then "neither" is the first refresh that begins a tick later.
  * Time:       picoseconds since power-on.
+ * Ownership:  the rig stays the caller's.
  * Errors:     an exit status and one sentence: 1 guest trouble, 2 usage, 3 the moment does not come
  *             within --timeout of simulated time.
  */

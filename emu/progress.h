@@ -1,7 +1,11 @@
 /* progress.h — how far long work has come: a line on standard error that overwrites itself.
  *
- * Nothing is printed unless standard error is a terminal, and nothing in the first second. The
- * machine is run in pieces for it, which changes nothing: observing never does.
+ * Models:     nothing. Nothing is printed unless standard error is a terminal, and nothing in the
+ *             first second. The machine is run in pieces for it, which changes nothing: observing
+ *             never does.
+ * Time:       host seconds between lines; picoseconds of the machine's in them.
+ * Ownership:  the caller's struct.
+ * Errors:     none.
  */
 #ifndef EMU_PROGRESS_H
 #define EMU_PROGRESS_H

@@ -1,6 +1,7 @@
 /* rig.h — a machine with its program and, when somebody looks, its tube; with firmware a board and a
  * console, too: made and freed together.
  *
+ * Models:     nothing; puts together what the program needs.
  * Ownership:  vm_rig_open allocates, vm_rig_close frees; settings and input must outlive the rig.
  * Errors:     one sentence.
  */

@@ -4,6 +4,7 @@
  *      --load-state FILE ─▶ the rig, before anything runs       emu/debug/snapshot.h
  *      the rig, when all is done ─▶ --save-state FILE
  *
+ * Models:     nothing; a snapshot is described in emu/debug/snapshot.h.
  * Ownership:  strings point into argv.
  * Errors:     one sentence.
  */

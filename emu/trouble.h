@@ -6,6 +6,7 @@
  * Addresses:  the display processor's octal, with the source line where it is known; the processor's
  *             hexadecimal, with the symbol.
  * Ownership:  nothing.
+ * Errors:     none: they are what it tells.
  */
 #ifndef EMU_TROUBLE_H
 #define EMU_TROUBLE_H

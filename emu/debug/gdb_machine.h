@@ -8,6 +8,8 @@
  * Time:       picoseconds; slices of a millisecond. An end or an unhandled trap under break- and
  *             watchpoints is noticed at the end of its slice: the display may be that much further.
  * Ownership:  the machine is the caller's.
+ * Errors:     addresses of other devices, or of nothing, are not reached.
+ * Not modelled: reading devices without their side effects.
  */
 #ifndef EMU_DEBUG_GDB_MACHINE_H
 #define EMU_DEBUG_GDB_MACHINE_H

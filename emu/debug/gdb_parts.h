@@ -1,6 +1,9 @@
 /* gdb_parts.h — what the files of a session call of each other.
  *
- * A command reads its fields and writes one reply with vm_gdb_reply… or none.
+ * Models:     see emu/debug/gdb_session.h. A command reads its fields and writes one reply with
+ *             vm_gdb_reply…, or none.
+ * Ownership:  all of it works on the caller's session.
+ * Errors:     a command that cannot be done is answered with an error packet.
  */
 #ifndef EMU_DEBUG_GDB_PARTS_H
 #define EMU_DEBUG_GDB_PARTS_H
