@@ -3,13 +3,8 @@
  * A page is marked when a word in it is decoded. Stores are free of looks within one window: the
  * largest stretch of memory that has no marked page and no read-only byte. Programs keep code and
  * constants together, so the window has data, heap and stack in it. */
-#include <assert.h>
-#include <stdlib.h>
-
 #include "emu/cpu/rv_decode.h"
 #include "emu/cpu/rv_parts.h"
-
-#define PAGE 4096u
 
 static uint32_t low_of(uint32_t a, uint32_t b)
 {
@@ -82,13 +77,13 @@ static void offer_stretch(struct rv_cpu *cpu, uint32_t from, uint32_t to)
 
 static void find_window(struct rv_cpu *cpu)
 {
-    uint32_t pages = cpu->desc.memory_size / PAGE, page = 0;
+    uint32_t pages = cpu->desc.memory_size / RV_PAGE, page = 0;
     cpu->store_low = cpu->store_size = 0;
     while (page < pages) {
         uint32_t first = page;
         while (page < pages && !cpu->decoded[page])
             page++;
-        offer_stretch(cpu, first * PAGE, page * PAGE);
+        offer_stretch(cpu, first * RV_PAGE, page * RV_PAGE);
         while (page < pages && cpu->decoded[page])
             page++;
     }
@@ -96,12 +91,12 @@ static void find_window(struct rv_cpu *cpu)
 
 void rv_mark_decoded(struct rv_cpu *cpu, uint32_t offset)
 {
-    uint32_t page = offset / PAGE;
+    uint32_t page = offset / RV_PAGE;
     if (cpu->decoded[page])
         return;
     cpu->decoded[page] = 1;
     /* Most code lies outside the window anyway. */
-    if ((page + 1) * PAGE > cpu->store_low && page * PAGE - cpu->store_low < cpu->store_size)
+    if ((page + 1) * RV_PAGE > cpu->store_low && page * RV_PAGE < cpu->store_low + cpu->store_size)
         find_window(cpu);
 }
 
@@ -135,9 +130,10 @@ void rv_changed(struct rv_cpu *cpu, uint32_t low, uint32_t high)
     uint32_t from, to;
     if (!clip(cpu, low, high, &from, &to))
         return;
-    for (uint32_t page = from / PAGE; page * PAGE < to; page++)
+    for (uint32_t page = from / RV_PAGE; page * RV_PAGE < to; page++)
         if (cpu->decoded[page])
-            forget(cpu, high_of(from, page * PAGE) / 4, (low_of(to, (page + 1) * PAGE) - 1) / 4);
+            forget(cpu, high_of(from, page * RV_PAGE) / 4,
+                   (low_of(to, (page + 1) * RV_PAGE) - 1) / 4);
 }
 
 bool rv_load(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t *value)
@@ -159,7 +155,7 @@ bool rv_store(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t val
     if (read_only(cpu, address, width))
         return false;
     rv_bytes_put(cpu->desc.memory + offset, width, value);
-    if (cpu->decoded[offset / PAGE])
+    if (cpu->decoded[offset / RV_PAGE])
         forget(cpu, offset / 4, offset / 4);
     return true;
 }
@@ -170,46 +166,4 @@ bool rv_fetch(const struct rv_cpu *cpu, uint32_t pc, uint32_t *word)
         return false;
     *word = rv_bytes_get(cpu->desc.memory + (pc - cpu->desc.memory_base), 4);
     return true;
-}
-
-/* ---- the processor as a whole ---- */
-
-bool rv_init(struct rv_cpu *cpu, const struct rv_desc *desc)
-{
-    assert(desc->memory_base % PAGE == 0 && desc->memory_size % PAGE == 0);
-    assert(desc->memory_size != 0 && desc->memory_size - 1 <= UINT32_MAX - desc->memory_base);
-    *cpu = (struct rv_cpu){.desc = *desc};
-    uint32_t words = desc->memory_size / 4;
-    cpu->entries = calloc((size_t)rv_index_of_word(words) + 1, sizeof *cpu->entries);
-    cpu->decoded = calloc(desc->memory_size / PAGE, 1);
-    if (cpu->entries == NULL || cpu->decoded == NULL) {
-        rv_free(cpu);
-        return false;
-    }
-    find_window(cpu);
-    rv_reset(cpu);
-    return true;
-}
-
-void rv_free(struct rv_cpu *cpu)
-{
-    free(cpu->entries);
-    free(cpu->decoded);
-    cpu->entries = NULL;
-    cpu->decoded = NULL;
-}
-
-void rv_reset(struct rv_cpu *cpu)
-{
-    memset(cpu->x, 0, sizeof cpu->x);
-    memset(cpu->f, 0, sizeof cpu->f);
-    cpu->pc = cpu->desc.memory_base;
-    cpu->fflags = cpu->frm = 0;
-    cpu->mstatus = cpu->mie = cpu->mtvec = cpu->mscratch = 0;
-    cpu->mepc = cpu->mcause = cpu->mtval = cpu->mcountinhibit = 0;
-    cpu->cycle_offset = cpu->retire_offset = 0;
-    cpu->cycle_held = cpu->retire_held = 0;
-    cpu->state = RV_RUNNING;
-    cpu->trouble = (struct rv_trouble){0};
-    cpu->attention = false;
 }

@@ -49,6 +49,8 @@ void rv_fetch_trap(struct rv_cpu *cpu);
 
 /* ---- memory ---- */
 
+#define RV_PAGE 4096u /* what rv_cpu.decoded counts in */
+
 /* Aligned. False: access fault. Outside memory they ask the bus. */
 bool rv_load(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t *value);
 bool rv_store(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t value);

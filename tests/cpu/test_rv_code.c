@@ -186,10 +186,10 @@ static void changed_from_outside(void **state)
  * window must not hold a decoded page or a read-only byte. */
 static void stores_with_any_window(void **state)
 {
-    (void)state;
     uint32_t seed = 1;
-    for (int round = 0; round < 300; round++) {
-        rv_writable(&r->cpu);
+    for (int round = 0; round < 1000; round++) {
+        rig_free(r);
+        set_up(state);
         uint32_t low[3], high[3];
         for (int i = 0; i < 3; i++) {
             seed = seed * 1664525u + 1013904223u;
@@ -197,7 +197,7 @@ static void stores_with_any_window(void **state)
             high[i] = low[i] + (seed >> 8 & 0x1FFF);
             assert_true(rv_protect(&r->cpu, RIG_BASE + low[i], RIG_BASE + high[i]));
         }
-        for (int n = 0; n < 60; n++) {
+        for (int n = 0; n < 12; n++) {
             seed = seed * 1664525u + 1013904223u;
             uint32_t at = seed >> 16, code = (seed >> 4 & 0xFFC) | (at & 0xF000);
             at = at < 0x900 ? 0x900 : at;
