@@ -128,12 +128,21 @@ static void forget(struct rv_cpu *cpu, uint32_t first, uint32_t last)
 void rv_changed(struct rv_cpu *cpu, uint32_t low, uint32_t high)
 {
     uint32_t from, to;
+    bool unmarked = false;
     if (!clip(cpu, low, high, &from, &to))
         return;
-    for (uint32_t page = from / RV_PAGE; page * RV_PAGE < to; page++)
-        if (cpu->decoded[page])
-            forget(cpu, high_of(from, page * RV_PAGE) / 4,
-                   (low_of(to, (page + 1) * RV_PAGE) - 1) / 4);
+    for (uint32_t page = from / RV_PAGE; page * RV_PAGE < to; page++) {
+        uint32_t start = page * RV_PAGE, end = start + RV_PAGE;
+        if (!cpu->decoded[page])
+            continue;
+        forget(cpu, high_of(from, start) / 4, (low_of(to, end) - 1) / 4);
+        if (from <= start && end <= to) {
+            cpu->decoded[page] = 0;
+            unmarked = true;
+        }
+    }
+    if (unmarked)
+        find_window(cpu);
 }
 
 bool rv_load(struct rv_cpu *cpu, uint32_t address, unsigned width, uint32_t *value)

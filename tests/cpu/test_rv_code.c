@@ -236,6 +236,11 @@ static void window_is_the_largest_stretch(void **state)
     rig_run(r, 0xC000, 10);
     assert_int_equal(r->cpu.store_low, 0x2348);
     assert_int_equal(r->cpu.store_size, 0xC000 - 0x2348);
+    /* What was loaded anew is no code yet. */
+    rv_changed(&r->cpu, RIG_BASE + 0xC004, RIG_BASE + RIG_SIZE);
+    assert_int_equal(r->cpu.store_size, 0xC000 - 0x2348);
+    rv_changed(&r->cpu, RIG_BASE + 0xC000, RIG_BASE + RIG_SIZE);
+    assert_int_equal(r->cpu.store_size, RIG_SIZE - 0x2348);
 }
 
 /* The window ends where a read-only range begins within a word: that word is not in it. */
