@@ -177,6 +177,17 @@ static void changed_from_outside(void **state)
         rig_run(r, 0xFFC, 100);
         assert_int_equal(r->cpu.x[A0], 100);
     }
+    /* Part of a page: the rest of it is code as before, and stores to that are seen. */
+    RIG_PUT(r, 0xC100, w_addi(A0, A0, 1), W_WFI);
+    set_registers();
+    rig_run(r, 0xC100, 100);
+    rv_changed(&r->cpu, RIG_BASE + 0xC000, RIG_BASE + 0xC080);
+    RIG_PUT(r, 0, w_lui(A1, RIG_BASE + 0xC000), w_sw(A2, A1, 0x100), w_jalr(ZERO, A1, 0x100));
+    set_registers();
+    r->cpu.x[A2] = w_addi(A0, A0, 50);
+    rig_run(r, 0, 100);
+    assert_int_equal(r->cpu.x[A0], 50);
+
     rv_changed(&r->cpu, 0, RIG_BASE);
     rv_changed(&r->cpu, RIG_BASE + RIG_SIZE, 0xFFFFFFFF);
     rv_changed(&r->cpu, RIG_BASE + 8, RIG_BASE + 8);
