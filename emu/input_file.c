@@ -10,7 +10,7 @@
 #include "display_file/asm.h"
 #include "display_file/loaders.h"
 
-#define MAX_FILE (64L * 1024 * 1024)
+#define MAX_FILE (UINT64_C(64) << 20)
 
 const struct vm_option vm_input_rows[VM_INPUT_ROWS] = {
     {"base", 0, VM_OPT_OCTAL, offsetof(struct vm_input_options, base), "OCTAL",
@@ -26,20 +26,25 @@ const struct vm_option vm_input_rows[VM_INPUT_ROWS] = {
      0, 0},
 };
 
-char *vm_read_file(const char *path, size_t *length, struct crt_error *err)
+char *vm_read_file(const char *path, const char *what, uint64_t most, size_t *length,
+                   struct crt_error *err)
 {
     struct stat status;
-    FILE *file = fopen(path, "rb");
     char *bytes = NULL;
+    /* Opening a pipe would wait for whoever writes to it. */
+    bool there = stat(path, &status) == 0;
+    if (there && !S_ISREG(status.st_mode)) {
+        crt_fail(err, "%.300s is not a regular file; give the name of a %s", path, what);
+        return NULL;
+    }
+    FILE *file = there ? fopen(path, "rb") : NULL;
     if (!file) {
         crt_fail(err, "%.300s cannot be opened: %s", path, strerror(errno));
         return NULL;
     }
-    if (fstat(fileno(file), &status) != 0 || !S_ISREG(status.st_mode))
-        crt_fail(err, "%.300s is not a regular file; give the name of a program", path);
-    else if (status.st_size > MAX_FILE)
-        crt_fail(err, "%.300s has %lld bytes; at most %ld are read", path,
-                 (long long)status.st_size, MAX_FILE);
+    if ((uint64_t)status.st_size > most)
+        crt_fail(err, "%.300s has %lld bytes; of a %s at most %llu are read", path,
+                 (long long)status.st_size, what, (unsigned long long)most);
     else if (!(bytes = malloc((size_t)status.st_size + 1)))
         crt_fail(err, "%.300s does not fit into memory", path);
     if (bytes) {
@@ -126,7 +131,7 @@ static bool load_bytes(struct vm_input *in, const char *path, const char *kind,
                        const struct vm_input_options *o, struct crt_error *err)
 {
     size_t length = 0;
-    char *bytes = vm_read_file(path, &length, err);
+    char *bytes = vm_read_file(path, "program", MAX_FILE, &length, err);
     bool ok = false;
     if (!bytes)
         return false;
@@ -148,7 +153,7 @@ static bool load_firmware(struct vm_input *in, const char *path, struct crt_erro
 {
     size_t length = 0;
     char name[64];
-    in->image = vm_read_file(path, &length, err);
+    in->image = vm_read_file(path, "program", MAX_FILE, &length, err);
     if (!in->image)
         return false;
     vm_base_name(path, name, sizeof name);

@@ -57,8 +57,10 @@ const char *vm_input_tube(const struct vm_input *input);
  * firmware must have a board. */
 bool vm_input_insert(const struct vm_input *input, struct vm_machine *m, struct crt_error *err);
 
-/* A file's bytes, malloced, with a NUL after them; NULL and a sentence. */
-char *vm_read_file(const char *path, size_t *length, struct crt_error *err);
+/* A regular file's bytes, malloced, with a NUL after them; NULL and a sentence, which calls it a
+ * `what`, also when it has more than `most`. */
+char *vm_read_file(const char *path, const char *what, uint64_t most, size_t *length,
+                   struct crt_error *err);
 /* The part after the last '/', with what is not printable ASCII shown as '?'. */
 void vm_base_name(const char *path, char *name, size_t size);
 

@@ -1,10 +1,8 @@
 #include "emu/debug/snapshot.h"
 
-#include <errno.h>
 #include <nettle/sha2.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "emu/debug/config.h"
 #include "emu/out_file.h"
@@ -183,43 +181,13 @@ bool vm_snapshot_read(const uint8_t *bytes, size_t size, const char *name, struc
            crt_fail(err, "%.200s cannot be loaded: %.250s; make it again", name, why.text);
 }
 
-static uint8_t *read_all(const char *path, size_t *size, struct crt_error *err)
-{
-    struct stat status;
-    uint8_t *bytes = NULL;
-    /* Opening a pipe would wait for whoever writes to it. */
-    bool there = stat(path, &status) == 0;
-    if (there && !S_ISREG(status.st_mode)) {
-        crt_fail(err, "%.300s is not a regular file; give the name of a snapshot", path);
-        return NULL;
-    }
-    FILE *file = there ? fopen(path, "rb") : NULL;
-    if (!file) {
-        crt_fail(err, "%.300s cannot be opened: %s", path, strerror(errno));
-        return NULL;
-    }
-    if ((uint64_t)status.st_size > MAX_FILE)
-        crt_fail(err, "%.300s is too large for a snapshot", path);
-    else if (!(bytes = malloc((size_t)status.st_size + 1)))
-        crt_fail(err, "%.300s does not fit into memory", path);
-    if (bytes) {
-        *size = fread(bytes, 1, (size_t)status.st_size, file);
-        if (ferror(file)) {
-            crt_fail(err, "%.300s cannot be read: %s", path, strerror(errno));
-            free(bytes);
-            bytes = NULL;
-        }
-    }
-    fclose(file);
-    return bytes;
-}
-
 bool vm_snapshot_load(const char *path, struct vm_rig *rig, const struct vm_settings *settings,
                       const struct vm_input *input, struct crt_error *err)
 {
     size_t size = 0;
-    uint8_t *bytes = read_all(path, &size, err);
-    bool ok = bytes && vm_snapshot_read(bytes, size, path, rig, settings, input, err);
+    char *bytes = vm_read_file(path, "snapshot", MAX_FILE, &size, err);
+    bool ok =
+        bytes && vm_snapshot_read((const uint8_t *)bytes, size, path, rig, settings, input, err);
     free(bytes);
     return ok;
 }
