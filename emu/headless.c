@@ -1,7 +1,6 @@
 #include "emu/headless.h"
 
 #include <stdio.h>
-#include <time.h>
 
 #include "emu/command.h"
 #include "emu/debug/gdb_past.h"
@@ -16,13 +15,6 @@
 #define KEYS_S          0.002 /* host seconds between looks at the keyboard */
 #define DEBUGGER_MS     20 /* a held machine waits for the debugger between looks at the keyboard */
 #define LONGEST_S       0.05 /* a late look does not make the machine hurry after it */
-
-static double seconds(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* ---- running ------------------------------------------------------------------------------------
  */
@@ -49,9 +41,9 @@ static bool run_end(const struct run *r, uint64_t until)
 static void run_live(const struct run *r, uint64_t limit)
 {
     struct vm_machine *m = r->rig->machine;
-    double last = seconds();
+    double last = vm_host_seconds();
     while (m->now < limit && !r->terminal->left) {
-        double now = seconds(), elapsed = now - last;
+        double now = vm_host_seconds(), elapsed = now - last;
         last = now;
         uint64_t ps = (uint64_t)((elapsed < LONGEST_S ? elapsed : LONGEST_S) * 1e12);
         if (run_end(r, limit - m->now < ps ? limit : m->now + ps))
@@ -211,7 +203,7 @@ static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct v
     struct vm_terminal terminal = {0};
     struct run r = {.rig = rig};
     bool ok = join(&r, h, &terminal, err);
-    double begin = seconds();
+    double begin = vm_host_seconds();
     const struct before b = before(rig);
     if (ok)
         run(&r, limit);
@@ -219,7 +211,7 @@ static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct v
         drain(rig);
     part(&r);
     if (ok && !h->console && !h->gdb)
-        say_speed(rig, input, &b, seconds() - begin);
+        say_speed(rig, input, &b, vm_host_seconds() - begin);
     *left = terminal.left || (h->gdb && vm_gdb_killed(h->gdb));
     return ok;
 }

@@ -36,7 +36,7 @@ static void resume(struct vm_machine *m, uint16_t value, uint64_t t)
     bool stopped = m->dpu.state == DF_STOPPED;
     struct vm_counts counts = vm_counts(m);
     df_dpu_write(&m->dpu, DF_DPC, value, t);
-    if (stopped && !m->refreshes.declared)
+    if (stopped)
         vm_refreshes_begin(&m->refreshes, m->dpu.t, &counts);
 }
 

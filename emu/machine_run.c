@@ -59,7 +59,7 @@ static void tick(struct vm_machine *m)
     df_dpu_sync(&m->dpu, t);
     if (waited && m->dpu.state == DF_RUNNING) {
         struct vm_counts counts = vm_counts(m);
-        if (m->refreshes.flow.head == VM_NO_HEAD && !m->refreshes.declared)
+        if (m->refreshes.flow.head == VM_NO_HEAD)
             vm_refreshes_begin(&m->refreshes, m->dpu.t, &counts);
         return;
     }
@@ -78,15 +78,13 @@ static void pause_refresh(struct vm_machine *m)
         m->stops++;
         m->last_stop = m->dpu.t;
     }
-    if ((m->dpu.state == DF_STOPPED || m->dpu.state == DF_WAITING_SYNC) && !m->refreshes.declared)
+    if (m->dpu.state == DF_STOPPED || m->dpu.state == DF_WAITING_SYNC)
         vm_refreshes_end(&m->refreshes, m->dpu.t, &counts);
 }
 
 static void come_round(struct vm_machine *m)
 {
     struct vm_counts counts = vm_counts(m);
-    if (m->refreshes.declared)
-        return;
     vm_refreshes_end(&m->refreshes, m->dpu.t, &counts);
     vm_refreshes_begin(&m->refreshes, m->dpu.t, &counts);
 }

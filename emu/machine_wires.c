@@ -114,7 +114,7 @@ void vm_start(struct vm_machine *m, uint16_t address, uint64_t t)
 {
     struct vm_counts counts = vm_counts(m);
     df_dpu_write(&m->dpu, DF_DPC, address, t);
-    if (m->refreshes.declared || !m->refreshes.flow.start_begins)
+    if (!m->refreshes.flow.start_begins)
         return;
     vm_refreshes_end(&m->refreshes, m->dpu.t, &counts);
     vm_refreshes_begin(&m->refreshes, m->dpu.t, &counts);

@@ -12,7 +12,7 @@
 /* A piece of a run that takes well under a second even with light computed. */
 #define PIECE_PS (CRT_PS_PER_S / 4)
 
-static double seconds(void)
+double vm_host_seconds(void)
 {
     struct timespec t;
     clock_gettime(CLOCK_MONOTONIC, &t);
@@ -21,7 +21,8 @@ static double seconds(void)
 
 void vm_progress_begin(struct vm_progress *p)
 {
-    *p = (struct vm_progress){.shown = isatty(STDERR_FILENO) != 0, .next = seconds() + QUIET_S};
+    *p = (struct vm_progress){.shown = isatty(STDERR_FILENO) != 0,
+                              .next = vm_host_seconds() + QUIET_S};
 }
 
 void vm_progress_end(struct vm_progress *p)
@@ -34,7 +35,7 @@ void vm_progress_end(struct vm_progress *p)
 /* Whether it is time for another line. */
 static bool due(struct vm_progress *p)
 {
-    double now = p->shown ? seconds() : 0;
+    double now = p->shown ? vm_host_seconds() : 0;
     if (!p->shown || now < p->next)
         return false;
     p->next = now + EVERY_S;

@@ -18,6 +18,9 @@ struct vm_progress {
     double next;
 };
 
+/* Of a monotonic host clock, from an arbitrary origin. */
+double vm_host_seconds(void);
+
 void vm_progress_begin(struct vm_progress *p);
 void vm_progress_end(struct vm_progress *p); /* clears the line */
 

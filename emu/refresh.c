@@ -11,7 +11,7 @@ void vm_refreshes_flow(struct vm_refreshes *r, struct vm_flow flow)
     r->running = false;
 }
 
-void vm_refreshes_begin(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
+static void begin(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
 {
     r->running = true;
     r->current = (struct vm_refresh){.begin = t,
@@ -21,7 +21,7 @@ void vm_refreshes_begin(struct vm_refreshes *r, uint64_t t, const struct vm_coun
                                      .lit = now->lit};
 }
 
-void vm_refreshes_end(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
+static void end(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
 {
     const struct vm_refresh *begun = &r->current;
     uint64_t words = now->words - begun->words;
@@ -39,9 +39,21 @@ void vm_refreshes_end(struct vm_refreshes *r, uint64_t t, const struct vm_counts
                                   .lit = now->lit - begun->lit};
 }
 
+void vm_refreshes_begin(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
+{
+    if (!r->declared)
+        begin(r, t, now);
+}
+
+void vm_refreshes_end(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
+{
+    if (!r->declared)
+        end(r, t, now);
+}
+
 void vm_refreshes_declare(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
 {
     r->declared = true;
-    vm_refreshes_end(r, t, now);
-    vm_refreshes_begin(r, t, now);
+    end(r, t, now);
+    begin(r, t, now);
 }

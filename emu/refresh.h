@@ -44,6 +44,7 @@ void vm_refreshes_init(struct vm_refreshes *r);
 /* Another program: what was begun does not count. */
 void vm_refreshes_flow(struct vm_refreshes *r, struct vm_flow flow);
 
+/* Neither does anything once the program declares refreshes itself. */
 void vm_refreshes_begin(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now);
 void vm_refreshes_end(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now);
 /* The program declares one. */
