@@ -93,7 +93,9 @@ void crt_explain_tube(FILE *to, const struct crt_tube_row *row)
     fprintf(to, "  phosphor %s; film of %d x %d cells of %.4g mm\n", row->phosphor, g.cols, g.rows,
             g.cell_mm);
     fprintf(to, "  %-15s %9s %-6s %-17s %s\n", "figure", "value", "unit", "range", "source");
-#define X(field, unit, meaning) print_figure(to, #field, unit, &row->field);
+#define X(field, unit, meaning)                                                                    \
+    if (crt_tube_has_figure(row, #field))                                                          \
+        print_figure(to, #field, unit, &row->field);
     CRT_TUBE_FIGURES(X)
 #undef X
 }

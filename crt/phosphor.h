@@ -3,7 +3,8 @@
  *      light h(t) = Σ_k (w_k/τ_k)·e^(−t/τ_k)      Σ w_k = 1, w_k = share of the luminous energy
  *
  * Models:     each phosphor of the table as a sum of exponentials; a power-law tail enters as a
- *             few log-spaced exponentials. Up to two colours (P7's flash and afterglow).
+ *             few log-spaced exponentials. Up to three colours: P7's flash and afterglow,
+ *             the layers of a penetration screen, the red, green and blue of a three-gun tube.
  * Time:       seconds.
  * Sources:    each row names its own; `made_from` tells which published persistence the terms were
  *             fitted to, since figures for one P-number differ by up to a factor of 1000.
@@ -16,8 +17,8 @@
 
 #include <stddef.h>
 
-#define CRT_MAX_TERMS   12
-#define CRT_MAX_COLOURS 2
+#define CRT_MAX_TERMS   24
+#define CRT_MAX_COLOURS 3
 
 struct crt_phosphor_term {
     double w;     /* share of the luminous energy, Σ = 1 over all terms of all colours */

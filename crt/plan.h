@@ -26,7 +26,7 @@
 /* Light too faint to be deposited, cd·s/m². */
 #define CRT_TOO_FAINT 1e-11
 
-#define CRT_MAX_TARGETS 28
+#define CRT_MAX_TARGETS 48
 
 /* Somewhere that light goes: a plane, or a film. */
 struct crt_receiver {

@@ -57,12 +57,14 @@ struct crt_tube_desc {
     struct crt_knobs knobs;
     int threads; /* 1… */
     enum crt_simd simd;
-    bool no_reuse; /* never reuse cached footprints (for benchmarks and tests) */
+    bool microscope; /* a close-up of a tube with a mask: the mask is drawn on film (crt/mask.h) */
+    bool no_reuse;   /* never reuse cached footprints (for benchmarks and tests) */
 };
 
 struct crt_tube;
 
-/* Light gathered during [t0, t1) on the tube's grid, per phosphor colour, in cd·s/m² (fluence).
+/* Light gathered during [t0, t1) on the tube's grid, per phosphor colour (that of the tube's guns when
+ * it has three), in cd·s/m² (fluence).
  * Divide by the exposure for mean cd/m². Row-major, grid.cols × grid.rows floats each. */
 struct crt_film {
     struct crt_grid grid;
@@ -81,6 +83,15 @@ void crt_tube_destroy(struct crt_tube *tube);
 /* Commits one stroke to the journal. t0 must not precede that of the stroke before, nor the `now`
  * of the last crt_tube_advance: films may have been completed up to then. */
 void crt_tube_stroke(struct crt_tube *tube, const struct crt_stroke *stroke);
+
+/* The same for a scan line, on a raster tube, with as many guns as the tube has. Its dots are copied.
+ * Strokes and scan lines may not be mixed on one tube. */
+void crt_tube_scan_line(struct crt_tube *tube, const struct crt_scan_line *line);
+
+/* A raster head begins a new timing: the running epoch ends at `origin`, the `now` of the last
+ * advance, and from there on epoch n ends at origin + crt_tick_time(epoch, n). Open films stay
+ * open. */
+void crt_tube_set_epoch(struct crt_tube *tube, struct crt_rate epoch, uint64_t origin);
 
 /* Tells the tube that every stroke starting before `now` has been delivered: ends the epochs up to
  * `now` and feeds open films; films with t1 <= now become complete and leave the list. */

@@ -190,7 +190,7 @@ static bool tube_key(struct crt_ini *ini, const char *key, const char *value)
 static bool tube_end(struct crt_ini *ini)
 {
 #define X(field, unit, meaning)                                                                    \
-    if (!ini->tube.field.source)                                                                   \
+    if (crt_tube_has_figure(&ini->tube, #field) && !ini->tube.field.source)                        \
         return crt_ini_fail(ini,                                                                   \
                             "tube %s lacks %s (%s, %s); expected 'like = NAME' first, or every "   \
                             "figure",                                                              \

@@ -29,8 +29,54 @@ struct crt_figure *crt_tube_figure(struct crt_tube_row *row, const char *name, c
     return NULL;
 }
 
+int crt_tube_guns(const struct crt_tube_row *row)
+{
+    return row->mask == CRT_MASK_NONE ? 1 : 3;
+}
+
+bool crt_tube_has_group(const struct crt_tube_row *row, enum crt_figure_group group)
+{
+    switch (group) {
+    case CRT_GROUP_COMMON:
+        return true;
+    case CRT_GROUP_VECTOR:
+        return row->kind == CRT_VECTOR_TUBE;
+    case CRT_GROUP_PENETRATION:
+        return row->kind == CRT_VECTOR_TUBE && row->penetration;
+    case CRT_GROUP_RASTER:
+        return row->kind == CRT_RASTER_TUBE;
+    case CRT_GROUP_MASK:
+        return row->kind == CRT_RASTER_TUBE && row->mask != CRT_MASK_NONE;
+    }
+    return false;
+}
+
+bool crt_tube_has_figure(const struct crt_tube_row *row, const char *name)
+{
+#define X(field, unit, meaning)                                                                    \
+    if (strcmp(name, #field) == 0)                                                                 \
+        return true;
+    CRT_FIGURES_COMMON(X)
+#undef X
+#define GROUP(group, FIGURES)                                                                      \
+    if (crt_tube_has_group(row, group)) {                                                          \
+        FIGURES(X)                                                                                 \
+    }
+#define X(field, unit, meaning)                                                                    \
+    if (strcmp(name, #field) == 0)                                                                 \
+        return true;
+    GROUP(CRT_GROUP_VECTOR, CRT_FIGURES_VECTOR)
+    GROUP(CRT_GROUP_PENETRATION, CRT_FIGURES_PENETRATION)
+    GROUP(CRT_GROUP_RASTER, CRT_FIGURES_RASTER)
+    GROUP(CRT_GROUP_MASK, CRT_FIGURES_MASK)
+#undef X
+    return false;
+}
+
 struct crt_screen crt_tube_screen(const struct crt_tube_row *row)
 {
+    if (row->kind == CRT_RASTER_TUBE)
+        return (struct crt_screen){row->width.value, row->height.value, 1, 1};
     return (struct crt_screen){row->width.value, row->height.value, row->units_x.value,
                                row->units_y.value};
 }
@@ -77,7 +123,30 @@ struct crt_grid crt_tube_grid(const struct crt_tube_row *row)
     X(point, 1e-3, 1e6)                                                                            \
     X(character, 1e-3, 1e6)                                                                        \
     X(dot, 1e-3, 1e6)                                                                              \
-    X(intensify, 1e-3, 1e6)
+    X(intensify, 1e-3, 1e6)                                                                        \
+    X(kv_red, 0.1, 100)                                                                            \
+    X(kv_orange, 0.1, 100)                                                                         \
+    X(kv_yellow, 0.1, 100)                                                                         \
+    X(kv_green, 0.1, 100)                                                                          \
+    X(kv_dead, 0, 100)                                                                             \
+    X(kv_exponent, 0.1, 10)                                                                        \
+    X(colour_switch, 0, 1e6)                                                                       \
+    X(colour_register, -1, 1)                                                                      \
+    X(field_luminance, 1e-3, 1e6)                                                                  \
+    X(field_duty, 0.01, 1)                                                                         \
+    X(bandwidth, 1e-3, 1e4)                                                                        \
+    X(spot_edge, 1, 5)                                                                             \
+    X(h_min, 0.1, 1e4)                                                                             \
+    X(h_max, 0.1, 1e4)                                                                             \
+    X(v_min, 1, 1e4)                                                                               \
+    X(v_max, 1, 1e4)                                                                               \
+    X(clock_max, 0.1, 1e4)                                                                         \
+    X(mask_pitch, 0.01, 50)                                                                        \
+    X(mask_transmission, 0.01, 0.33)                                                               \
+    X(converge, 0, 20)                                                                             \
+    X(converge_edge, 0, 20)                                                                        \
+    X(landing, 0, 5)                                                                               \
+    X(landing_edge, 0, 5)
 
 static bool check_figure(const char *tube, const char *name, const char *unit,
                          const struct crt_figure *f, double min, double max, struct crt_error *err)
@@ -98,6 +167,9 @@ bool crt_tube_check_figure(const struct crt_tube_row *row, const char *name, str
     const char *unit = "";
     struct crt_tube_row copy = *row;
     const struct crt_figure *f = crt_tube_figure(&copy, name, &unit);
+    if (f && !crt_tube_has_figure(row, name))
+        return crt_fail(err, "tube %s has no %s; that is a figure of another kind of tube",
+                        row->name, name);
 #define X(field, min, max)                                                                         \
     if (strcmp(name, #field) == 0)                                                                 \
         return check_figure(row->name, name, unit, f, min, max, err);
@@ -120,17 +192,22 @@ static bool check_grid(const struct crt_tube_row *row, struct crt_error *err)
                     row->height.value + border, cols, rows, CRT_MAX_GRID_CELLS);
 }
 
+static bool check_units(const struct crt_tube_row *row, struct crt_error *err)
+{
+    return (row->units_x.value == floor(row->units_x.value) &&
+            row->units_y.value == floor(row->units_y.value)) ||
+           crt_fail(err, "tube %s: units_x and units_y are %g and %g; they must be whole numbers",
+                    row->name, row->units_x.value, row->units_y.value);
+}
+
 bool crt_tube_check(const struct crt_tube_row *row, struct crt_error *err)
 {
 #define X(field, unit, meaning)                                                                    \
-    if (!crt_tube_check_figure(row, #field, err))                                                  \
+    if (crt_tube_has_figure(row, #field) && !crt_tube_check_figure(row, #field, err))              \
         return false;
     CRT_TUBE_FIGURES(X)
 #undef X
-    if (row->units_x.value != floor(row->units_x.value) ||
-        row->units_y.value != floor(row->units_y.value))
-        return crt_fail(err,
-                        "tube %s: units_x and units_y are %g and %g; they must be whole numbers",
-                        row->name, row->units_x.value, row->units_y.value);
+    if (row->kind == CRT_VECTOR_TUBE && !check_units(row, err))
+        return false;
     return check_grid(row, err);
 }

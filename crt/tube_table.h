@@ -1,7 +1,9 @@
-/* tube_table.h — tubes as data: glass, gun, deflection and generator times, a source per figure.
+/* tube_table.h — tubes as data: glass, gun, deflection, mask and generator times, a source per
+ * figure.
  *
- * Models:     a tube row is a set of named figures; each has a value, the range it is believed to
- *             lie in, and the source it comes from, or the word "estimate".
+ * Models:     a tube row is a set of named figures in groups; each figure has a value, the range it
+ *             is believed to lie in, and the source it comes from, or the word "estimate". Which
+ *             groups a row has follows from what it is: vector or raster, how many guns.
  * Units:      in the X-macro below.
  * Sources:    in the rows (`kinescope list tubes --why` prints them).
  * Ownership:  built-in rows are constant. A catalogue owns its rows and their text until
@@ -24,19 +26,36 @@ struct crt_figure {
     const char *source; /* a citation, or "estimate: why" */
 };
 
-/* X(field, unit, meaning) */
-#define CRT_TUBE_FIGURES(X)                                                                        \
+/* What a tube is for; which groups of figures a row has follows from it. */
+enum crt_tube_kind {
+    CRT_VECTOR_TUBE, /* of a random-scan head */
+    CRT_RASTER_TUBE  /* of a raster head */
+};
+
+/* What stands before the phosphor of a three-gun tube. */
+enum crt_mask_kind {
+    CRT_MASK_NONE,  /* one gun, an even phosphor */
+    CRT_MASK_DELTA, /* round holes, triads of dots; guns in a triangle */
+    CRT_MASK_SLOT,  /* slots with bridges, stripes; guns in line */
+    CRT_MASK_GRILLE /* aperture grille: stripes from top to bottom; guns in line */
+};
+
+/* X(field, unit, meaning): every tube has these. */
+#define CRT_FIGURES_COMMON(X)                                                                      \
     X(width, "mm", "addressable width")                                                            \
     X(height, "mm", "addressable height")                                                          \
     X(border, "mm", "phosphor beyond the addressable area, each side")                             \
-    X(units_x, "units", "addressable units across")                                                \
-    X(units_y, "units", "addressable units up")                                                    \
     X(face_radius, "mm", "radius of curvature of the faceplate")                                   \
     X(halation, "1", "share of the light scattered in the faceplate")                              \
     X(spot, "mm", "width of the spot at 60 % of its peak (2.02 sigma), at vanishing current")      \
     X(spot_growth, "mm", "sigma added in quadrature at full current")                              \
     X(spot_exponent, "1", "power of the current in that growth")                                   \
-    X(gun_exponent, "1", "power of the drive in the beam current")                                 \
+    X(gun_exponent, "1", "power of the drive in the beam current")
+
+/* Vector tubes. */
+#define CRT_FIGURES_VECTOR(X)                                                                      \
+    X(units_x, "units", "addressable units across")                                                \
+    X(units_y, "units", "addressable units up")                                                    \
     X(drive_low, "1", "drive of intensity level 0; level 7 is 1")                                  \
     X(line_luminance, "cd/m2", "mean luminance of the crest of a full-drive line")                 \
     X(line_speed, "mm/us", "beam speed at which line_luminance holds")                             \
@@ -54,21 +73,83 @@ struct crt_figure {
     X(dot, "us", "character: each dot lit")                                                        \
     X(intensify, "us", "pen intensify spot: time lit")
 
+/* Vector tubes whose colour follows the beam voltage. */
+#define CRT_FIGURES_PENETRATION(X)                                                                 \
+    X(kv_red, "kV", "beam voltage of colour 1, red")                                               \
+    X(kv_orange, "kV", "beam voltage of colour 2, orange")                                         \
+    X(kv_yellow, "kV", "beam voltage of colour 3, yellow")                                         \
+    X(kv_green, "kV", "beam voltage of colour 4, green")                                           \
+    X(kv_dead, "kV", "voltage below which the screen stays dark")                                  \
+    X(kv_exponent, "1", "power of the voltage above that in the light")                            \
+    X(colour_switch, "us", "change of the beam voltage, until the beam may be lit again")          \
+    X(colour_register, "1", "deflection left uncorrected, in parts of what the voltage changes")
+
+/* Raster tubes. */
+#define CRT_FIGURES_RASTER(X)                                                                      \
+    X(field_luminance, "cd/m2", "mean luminance of a full-drive white field")                      \
+    X(field_duty, "1", "share of the time the beam is lit in the mode that holds for")             \
+    X(bandwidth, "MHz", "video amplifier: half the power, one pole")                               \
+    X(spot_edge, "1", "sigma in the corner, in parts of that in the centre")                       \
+    X(h_min, "kHz", "lowest line rate")                                                            \
+    X(h_max, "kHz", "highest line rate")                                                           \
+    X(v_min, "Hz", "lowest vertical rate (of fields)")                                             \
+    X(v_max, "Hz", "highest vertical rate (of fields)")                                            \
+    X(clock_max, "MHz", "highest dot clock")
+
+/* Raster tubes with three guns. */
+#define CRT_FIGURES_MASK(X)                                                                        \
+    X(mask_pitch, "mm", "triads: holes of one row; slots and grilles: one stripe of each colour")  \
+    X(mask_transmission, "1", "share of the screen that one beam reaches through the mask")        \
+    X(converge, "mm", "miss of the outer beams in the centre")                                     \
+    X(converge_edge, "mm", "what is added to that in the corner")                                  \
+    X(landing, "mm", "miss of the beams on their phosphor in the centre (purity)")                 \
+    X(landing_edge, "mm", "what is added to that in the corner")
+
+#define CRT_TUBE_FIGURES(X)                                                                        \
+    CRT_FIGURES_COMMON(X)                                                                          \
+    CRT_FIGURES_VECTOR(X)                                                                          \
+    CRT_FIGURES_PENETRATION(X)                                                                     \
+    CRT_FIGURES_RASTER(X)                                                                          \
+    CRT_FIGURES_MASK(X)
+
+enum crt_figure_group {
+    CRT_GROUP_COMMON,
+    CRT_GROUP_VECTOR,
+    CRT_GROUP_PENETRATION,
+    CRT_GROUP_RASTER,
+    CRT_GROUP_MASK
+};
+
+/* Figures of groups a row does not have are 0 and have no source. */
 struct crt_tube_row {
     char name[24]; /* "VR17" */
     char description[96];
     char phosphor[16]; /* name of the phosphor it has */
+    enum crt_tube_kind kind;
+    bool penetration;        /* vector tubes: the colour follows the beam voltage */
+    enum crt_mask_kind mask; /* raster tubes */
+    char mode[24];           /* raster tubes: the mode they are used in, "1024x768@60" */
 #define X(field, unit, meaning) struct crt_figure field;
     CRT_TUBE_FIGURES(X)
 #undef X
 };
 
+/* 3 with a mask, else 1. Colour c of a three-gun tube's phosphor is what gun c lights. */
+int crt_tube_guns(const struct crt_tube_row *row);
+
+bool crt_tube_has_group(const struct crt_tube_row *row, enum crt_figure_group group);
+/* Whether the row's group has the figure called `name`; false, too, when there is no such figure. */
+bool crt_tube_has_figure(const struct crt_tube_row *row, const char *name);
+
 const struct crt_tube_row *crt_tube_rows(size_t *count);
 const struct crt_tube_row *crt_tube_row_find(const char *name);
 
-/* The figure called `name` in a row, NULL when there is none; and its unit. */
+/* The figure called `name` in a row, whether it applies or not; NULL when there is none; and its
+ * unit. */
 struct crt_figure *crt_tube_figure(struct crt_tube_row *row, const char *name, const char **unit);
 
+/* How head units lie on a vector tube. On a raster tube they are the dots of its mode
+ * (raster/head.h): here they are set to 1 and 1. */
 struct crt_screen crt_tube_screen(const struct crt_tube_row *row);
 
 /* Width of a Gaussian at 60 % of its peak, in sigma: 2·sqrt(2·ln(1/0.6)). */

@@ -10,7 +10,8 @@
  * Models:     the memory map; usable from C and from assembly: #defines only.
  * Units:      byte addresses. Device registers take accesses of their own width only: the DPU's
  *             and display memory's are 16 bits (display memory takes 8 and 32 too), the UART's 8,
- *             all others 32. Anything else is an access fault.
+ *             all others 32; the refresh buffer 8, 16 and 32. Anything else is an
+ *             access fault.
  * Source:     finisher, CLINT, UART and program memory lie where QEMU's riscv32 "virt" board has
  *             them (hw/riscv/virt.c), so that console programs run on both.
  * Not modelled: bus contention, wait states.
@@ -39,6 +40,14 @@
 /* Display processor: df_regs.h offsets, 16 bits each. */
 #define MAP_DPU      0x40000000
 #define MAP_DPU_SIZE 0x1000
+
+/* Raster head: registers, look-up table and refresh buffer (raster/video_regs.h). */
+#define MAP_VIDEO             0x40010000
+#define MAP_VIDEO_SIZE        0x1000
+#define MAP_VIDEO_LUT         0x40020000
+#define MAP_VIDEO_LUT_SIZE    0x400
+#define MAP_VIDEO_BUFFER      0x42000000
+#define MAP_VIDEO_BUFFER_SIZE 0x00800000
 
 /* Interrupt controller: lines to the external interrupt of the processor. Level-triggered. */
 #define MAP_IRQ          0x40040000

@@ -90,7 +90,8 @@ static void tubes_with_reasons(void **state)
 #define X(field, unit, meaning)                                                                    \
     must_say(#field " " meaning);                                                                  \
     for (size_t i = 0; i < c.tube_count; i++)                                                      \
-        must_say(c.tubes[i].field.source);
+        if (crt_tube_has_figure(&c.tubes[i], #field))                                              \
+            must_say(c.tubes[i].field.source);
     CRT_TUBE_FIGURES(X)
 #undef X
     must_say("spot 0.508 mm 0.4318..0.5588 DEC EK-VT11-TM-001");

@@ -28,7 +28,8 @@ static void check_tube(const struct crt_catalogue *c, const struct crt_tube_row 
     require(memchr(row->name, 0, sizeof row->name) && row->name[0]);
     struct crt_grid grid = crt_tube_grid(row);
     require(grid.cols > 0 && grid.cols % 8 == 0 && grid.rows > 0);
-#define X(field, unit, meaning) require(row->field.source && row->field.source[0]);
+#define X(field, unit, meaning)                                                                    \
+    require(!crt_tube_has_figure(row, #field) || (row->field.source && row->field.source[0]));
     CRT_TUBE_FIGURES(X)
 #undef X
 }
