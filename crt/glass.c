@@ -199,7 +199,7 @@ void crt_glass_draw(struct crt_glass *glass, const struct crt_glass_settings *se
                     unsigned fbo, int width, int height)
 {
     assert(width > 0 && height > 0);
-    const struct crt_glass_tile whole = {0, 0, width, height, width, height, false};
+    const struct crt_glass_tile whole = {0, 0, width, height, width, height, false, false};
     crt_glass_draw_tile(glass, settings, fbo, &whole);
 }
 
@@ -245,7 +245,8 @@ static bool render_tiles(struct crt_glass *glass, const struct crt_glass_setting
                          glass->driver, out->depth);
     for (int y = 0; good && y < out->height; y += h)
         for (int x = 0; good && x < out->width; x += w) {
-            struct crt_glass_tile tile = {x, y, w, h, out->width, out->height, out->depth == 16};
+            struct crt_glass_tile tile = {x,    y, w, h, out->width, out->height, out->depth == 16,
+                                          false};
             tile.w = out->width - x < w ? out->width - x : w;
             tile.h = out->height - y < h ? out->height - y : h;
             crt_glass_draw_tile(glass, settings, fbo, &tile);

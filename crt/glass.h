@@ -75,6 +75,19 @@ bool crt_glass_pick(const struct crt_glass *glass, const struct crt_glass_settin
 void crt_glass_draw(struct crt_glass *glass, const struct crt_glass_settings *settings,
                     unsigned fbo, int width, int height);
 
+/* A part of framebuffer `fbo`, itself win_w × win_h pixels: x, y from its top left corner. */
+struct crt_glass_part {
+    int x, y, w, h;
+    int win_w, win_h;
+};
+
+/* The same into a part alone; what is outside stays. Without the overlay. */
+void crt_glass_draw_part(struct crt_glass *glass, const struct crt_glass_settings *settings,
+                         unsigned fbo, const struct crt_glass_part *part);
+
+/* The overlay alone, over whatever `fbo` shows. */
+void crt_glass_draw_overlay(struct crt_glass *glass, unsigned fbo, int width, int height);
+
 /* Draws into an offscreen framebuffer and reads it back as an 8- or 16-bit picture. */
 bool crt_glass_render(struct crt_glass *glass, const struct crt_glass_settings *settings, int width,
                       int height, int depth, struct crt_image *out, struct crt_error *err);

@@ -227,7 +227,7 @@ static void draw_face(struct crt_glass *glass, const struct crt_glass_settings *
     }
 }
 
-static void draw_text(struct crt_glass *glass, const struct crt_glass_tile *tile)
+void crt_glass_draw_text(struct crt_glass *glass, const struct crt_glass_tile *tile)
 {
     const struct crt_gl *gl = &glass->gl;
     int part[4];
@@ -269,6 +269,7 @@ void crt_glass_draw_tile(struct crt_glass *glass, const struct crt_glass_setting
         struct crt_glass_face f = make_face(glass, settings, tile->win_w, tile->win_h);
         draw_face(glass, settings, &f, tile);
     }
-    draw_text(glass, tile);
+    if (!tile->bare)
+        crt_glass_draw_text(glass, tile);
     gl->Disable(GL_SCISSOR_TEST);
 }

@@ -97,9 +97,13 @@ struct crt_glass_tile {
     int x, y, w, h;
     int win_w, win_h;
     bool fine; /* 16 bits a sample, not 8 */
+    bool bare; /* without the overlay */
 };
 void crt_glass_draw_tile(struct crt_glass *glass, const struct crt_glass_settings *settings,
                          unsigned fbo, const struct crt_glass_tile *tile);
+
+/* The overlay over what the bound framebuffer shows. */
+void crt_glass_draw_text(struct crt_glass *glass, const struct crt_glass_tile *tile);
 
 /* Sorts the squares of a rectangle (left, top, right, bottom in the tile's pixels) into
  * glass->squares. */

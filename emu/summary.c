@@ -102,7 +102,7 @@ static void print_refresh(FILE *out, const struct vm_settings *s, const struct m
     vm_format_time(low->total / low->refreshes, from, sizeof from);
     vm_format_time(high->total / high->refreshes, to, sizeof to);
     fprintf(out, ", uncertain: %s to %s (times of the %s row; list tubes --why)\n", from, to,
-            s->row.name);
+            s->monitor[VM_VECTOR].row.name);
 }
 
 static void print_rate(FILE *out, const struct vm_input *input, const struct measure *m)
@@ -158,7 +158,8 @@ static void print_all(FILE *out, const struct vm_settings *s, const struct vm_in
                       const struct measure *m, const struct measure *low,
                       const struct measure *high)
 {
-    fprintf(out, "%s on %s (%s)", input->name, s->row.name, s->phosphor.name);
+    fprintf(out, "%s on %s (%s)", input->name, s->monitor[VM_VECTOR].row.name,
+            s->monitor[VM_VECTOR].phosphor.name);
     if (m->refreshes > 1)
         fprintf(out, ", %llu refreshes", (unsigned long long)m->refreshes);
     else

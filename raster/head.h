@@ -39,6 +39,8 @@ struct ras_wires {
     void (*line)(void *ctx, const struct crt_scan_line *line); /* NULL: nobody looks */
     void (*interrupt)(void *ctx, enum ras_interrupt which, bool level, uint64_t t);
     void (*retime)(void *ctx, struct crt_rate field, uint64_t origin); /* fields from here on */
+    /* Vertical retrace begins; `frame`: the frame is complete, too (always when not interlaced). */
+    void (*retrace)(void *ctx, uint64_t t, bool frame);
 };
 
 /* For traces: sync pulses and picture, each as it happens. */

@@ -68,7 +68,7 @@ static void another_configuration_is_refused(void **state)
         snap_close(b);
     }
     struct snap_run *b =
-        snap_open("roms/radar.df", true, &(struct vm_settings_options){.tube = "VR17/P39"});
+        snap_open("roms/radar.df", true, &(struct vm_settings_options){.tube = {.item = {"VR17/P39"}, .count = 1}});
     refused(b, &s,
             "FILE was made with another program (lander.df, this run has radar.df); run that "
             "program");
@@ -112,10 +112,10 @@ static void another_close_up_is_refused(void **state)
     struct snap_run *a = snap_open("random4", true, &snap_plain);
     struct crt_error err;
     struct crt_state s = snap_save(a);
-    struct crt_tube_desc tube = vm_settings_tube(&a->settings);
+    struct vm_tubes tubes = vm_settings_tubes(&a->settings, VM_VIEW_VECTOR);
     tube.grid = crt_grid_closeup(0, 0, 20, 64, 64);
     vm_rig_close(&a->rig);
-    assert_true(vm_rig_open(&a->rig, &a->settings, &a->input, DF_TIMING_VALUE, &tube, &err));
+    assert_true(vm_rig_open(&a->rig, &a->settings, &a->input, DF_TIMING_VALUE, &tubes, &err));
     refused(a, &s,
             "FILE cannot be loaded: the snapshot's light lies on other film cells than this "
             "tube's: one of the two is a close-up, or another one; make it again");

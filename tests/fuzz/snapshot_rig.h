@@ -151,13 +151,13 @@ static uint64_t pen(void *ctx, const struct crt_stroke *s)
 static void open_rig(struct vm_rig *rig, bool with_tube)
 {
     struct crt_error err;
-    struct crt_tube_desc tube = vm_settings_tube(&settings);
-    struct crt_screen screen = crt_tube_screen(&settings.row);
+    struct vm_tubes tubes = vm_settings_tubes(&settings, VM_VIEW_VECTOR);
+    struct crt_screen screen = crt_tube_screen(&settings.monitor[VM_VECTOR].row);
     float x, y;
     crt_screen_to_mm(&screen, 69, 206, &x, &y); /* a drawn line just comes in */
     tube.no_reuse = true;
     tube.grid = crt_grid_closeup((double)x, (double)y, tube.grid.cell_mm * COLS, COLS, ROWS);
-    REQUIRE(vm_rig_open(rig, &settings, &input, DF_TIMING_VALUE, with_tube ? &tube : NULL, &err));
+    REQUIRE(vm_rig_open(rig, &settings, &input, DF_TIMING_VALUE, with_tube ? &tubes : NULL, &err));
     rig->machine->dpu.desc.beam.offer = pen;
 }
 
@@ -281,16 +281,16 @@ static void watch(struct vm_rig *rig)
     struct crt_error err;
     double cd[CRT_MAX_COLOURS];
     uint64_t now = rig->machine->now;
-    REQUIRE(crt_film_init(&film, rig->tube, &err));
-    crt_film_open(rig->tube, &film, now + MS / 3, now + 2 * MS);
+    REQUIRE(crt_film_init(&film, rig->tube[VM_VECTOR], &err));
+    crt_film_open(rig->tube[VM_VECTOR], &film, now + MS / 3, now + 2 * MS);
     run_to(rig->machine, now + 3 * MS);
     REQUIRE(film.complete);
     for (int c = 0; c < film.colours; c++)
         for (int i = 0; i < film.grid.cols * film.grid.rows; i++)
             REQUIRE(isfinite(film.light[c][i]));
-    crt_tube_probe(rig->tube, 0, 0, rig->machine->now, cd);
+    crt_tube_probe(rig->tube[VM_VECTOR], 0, 0, rig->machine->now, cd);
     REQUIRE(isfinite(cd[0]) && isfinite(cd[1]));
-    REQUIRE(isfinite(crt_tube_totals(rig->tube).stored));
+    REQUIRE(isfinite(crt_tube_totals(rig->tube[VM_VECTOR]).stored));
     crt_film_free(&film);
 }
 
