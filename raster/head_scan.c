@@ -58,7 +58,8 @@ static bool decide(struct ras_head *head, uint64_t begin, struct content *c)
     bool edge = false;
     for (int g = 0; g < head->desc.guns; g++)
         edge |= c->edge[g] != 0;
-    c->left = edge && begin > 0 ? w->left : 0;
+    int64_t since_sync = w->field + c->row * w->unit - w->sync_end;
+    c->left = edge && begin > 0 ? (w->left < since_sync ? w->left : since_sync) : 0;
     c->right = edge ? w->right : 0;
     return picture || edge;
 }
