@@ -83,6 +83,28 @@
         (a) * (t) / (S), (t), 0                                                                    \
     }
 
+/* P22, three phosphors on one screen. The colours' shares of the light are those that make D65 (the
+ * arithmetic of crt/white.h), so that equal drive of three guns is white. Their terms are those of
+ * P22R, P22G and P22B; 24 is all there is room for, so of green and blue the two terms near 1.3 us
+ * are one, with the same light at t = 0 and the same energy. */
+#define FROM_WHITE_X(x, y) ((x) / (y)-.3127 / .3290)
+#define FROM_WHITE_Z(x, y) ((1 - (x) - (y)) / (y) - (1 - .3127 - .3290) / .3290)
+#define CROSS(x, y, u, v)                                                                          \
+    (FROM_WHITE_X(x, y) * FROM_WHITE_Z(u, v) - FROM_WHITE_X(u, v) * FROM_WHITE_Z(x, y))
+#define P22_RED   CROSS(.285, .605, .150, .065)
+#define P22_GREEN CROSS(.150, .065, .625, .340)
+#define P22_BLUE  CROSS(.625, .340, .285, .605)
+#define P22_SUM   (P22_RED + P22_GREEN + P22_BLUE)
+#define P22_TERM(colour, SHARE, a, t, S)                                                           \
+    {                                                                                              \
+        (SHARE) / P22_SUM *((a) * (t)) / (S), (t), colour                                          \
+    }
+#define P22_R(a, t) P22_TERM(0, P22_RED, a, t, P22R_SUM)
+#define P22_G(a, t) P22_TERM(1, P22_GREEN, a, t, P22G_SUM)
+#define P22_B(a, t) P22_TERM(2, P22_BLUE, a, t, P22B_SUM)
+/* Time constant of two terms as one. */
+#define MERGED(a, t, b, u) (((a) * (t) + (b) * (u)) / ((a) + (b)))
+
 static const struct crt_phosphor rows[] = {
     {"P1",
      "GJ",
@@ -294,6 +316,46 @@ static const struct crt_phosphor rows[] = {
      "exp(-t/1.59 us), M. G. Kuhn, Optical time-domain eavesdropping risks of CRT displays, 2002; "
      "the power law as seven exponentials.",
      "The power law is cut off: no term above 1 ms (estimate)."},
+    {"P22",
+     "",
+     "red, green and blue of colour tubes",
+     530,
+     3,
+     {{.625, .340}, {.285, .605}, {.150, .065}},
+     .terms = 24,
+     .term = {P22_R(4, 442e-6),
+              P22_R(1.75, 99.5e-6),
+              P22_R(2, 19.9e-6),
+              P22_R(2.25, 6.37e-6),
+              P22_R(15, 227e-9),
+              P22_R(29, 22.7e-9),
+              P22_G(.48121, 1e-3),
+              P22_G(1.59364, 1e-3 / 3),
+              P22_G(5.16288, 1e-3 / 9),
+              P22_G(15.6578, 1e-3 / 27),
+              P22_G(38.9564, 1e-3 / 81),
+              P22_G(53.5125, 1e-3 / 243),
+              P22_G(12.3714 + 37, MERGED(12.3714, 1e-3 / 729, 37, 1.06e-6)),
+              P22_G(100, 227e-9),
+              P22_G(90, 31.8e-9),
+              P22_B(.4687, 1e-3),
+              P22_B(1.57093, 1e-3 / 3),
+              P22_B(5.16099, 1e-3 / 9),
+              P22_B(15.968, 1e-3 / 27),
+              P22_B(41.2663, 1e-3 / 81),
+              P22_B(62.1472, 1e-3 / 243),
+              P22_B(18.5221 + 75, MERGED(18.5221, 1e-3 / 729, 75, 1.59e-6)),
+              P22_B(1000, 145e-9),
+              P22_B(1100, 39.8e-9)},
+     0,
+     UNPUBLISHED,
+     JEDEC(1 MS),
+     CRT_FROM_IMPULSE,
+     XY "Terms: those of P22R, P22G and P22B (M. G. Kuhn, Optical time-domain eavesdropping risks "
+        "of CRT displays, 2002; quoted, not checked: estimate). Shares of the colours: those that "
+        "make D65.",
+     "Each colour has about the decay of its own row; JEDEC's 1 ms is red's, green has 60 and blue "
+     "22 us. The power laws of green and blue are cut off: no term above 1 ms (estimate)."},
     {"P24",
      "GE",
      "blue-green",
@@ -481,6 +543,20 @@ static const struct crt_phosphor rows[] = {
      CRT_FROM_JEDEC,
      XY JANK "Term: t10/ln 10.",
      "Y2O3:Eu."},
+    {"P134",
+     "LA",
+     "amber, text monitors",
+     585,
+     1,
+     {{.545, .452}},
+     SINGLE(50 MS),
+     0,
+     UNPUBLISHED,
+     {50 MS, 0, 0, 0, "estimate: sold as of medium persistence, some tens of milliseconds"},
+     CRT_FROM_JEDEC,
+     "estimate: no table was at hand. x, y: nearly pure light of 585 nm, as amber screens look. "
+     "Term: t10/ln 10.",
+     "Amber monitors also had P3 and mixtures."},
 };
 
 const struct crt_phosphor *crt_phosphors(size_t *count)

@@ -98,7 +98,7 @@ enum crt_mask_kind {
 
 /* Raster tubes with three guns. */
 #define CRT_FIGURES_MASK(X)                                                                        \
-    X(mask_pitch, "mm", "triads: holes of one row; slots and grilles: one stripe of each colour")  \
+    X(mask_pitch, "mm", "triads: nearest holes; slots and grilles: one stripe of each colour")     \
     X(mask_transmission, "1", "share of the screen that one beam reaches through the mask")        \
     X(converge, "mm", "miss of the outer beams in the centre")                                     \
     X(converge_edge, "mm", "what is added to that in the corner")                                  \
