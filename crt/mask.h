@@ -60,7 +60,7 @@ double crt_mask_most_transmission(enum crt_mask_kind kind);
 double crt_mask_guard(const struct crt_mask *mask);
 
 /* The share of a square of side cell_mm about (x, y) in which `gun` lights phosphor of `colour`, to
- * 1e-5. */
+ * 1e-4. */
 double crt_mask_cover(const struct crt_mask *mask, int gun, int colour, double x_mm, double y_mm,
                       double cell_mm);
 

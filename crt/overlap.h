@@ -2,7 +2,8 @@
  *
  * Units:      any length; areas in its square.
  * Source:     elementary geometry; arcs by Gauss's quadrature of 8 points between the places where
- *             the outline changes, with the ends made smooth: to 1e-6 of a disc's area.
+ *             the outline changes, with the ends made smooth: to 1e-5 of a disc's area (mostly
+ *             to 1e-7).
  * Ownership:  plain values.
  * Errors:     none.
  * Not modelled: nothing.
