@@ -75,4 +75,8 @@ double crt_mask_mean(const struct crt_mask *mask, int gun, int colour, double x_
 void crt_mask_film(const struct crt_mask *mask, const struct crt_phosphor *phosphor,
                    struct crt_film *film, bool microscope, struct crt_pool *pool);
 
+/* The same for a tube's film, when the tube has a mask. */
+void crt_mask_complete(const struct crt_tube_desc *desc, struct crt_film *film,
+                       struct crt_pool *pool);
+
 #endif

@@ -138,3 +138,13 @@ void crt_mask_film(const struct crt_mask *mask, const struct crt_phosphor *phosp
     else if (!job.pure)
         crt_pool_run(pool, mix_band, &job, (film->grid.rows + NODE - 1) / NODE);
 }
+
+void crt_mask_complete(const struct crt_tube_desc *desc, struct crt_film *film,
+                       struct crt_pool *pool)
+{
+    if (desc->row->mask == CRT_MASK_NONE)
+        return;
+    struct crt_mask mask;
+    crt_mask_init(&mask, desc->row);
+    crt_mask_film(&mask, desc->phosphor, film, desc->microscope, pool);
+}
