@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "crt/mask.h"
 #include "crt/maths.h"
 #include "crt/plan.h"
 #include "crt/share.h"
@@ -43,7 +44,7 @@ static bool sane_desc(const struct crt_tube_desc *desc, struct crt_error *err)
                         g->cols, g->rows);
     if (desc->threads < 1 || desc->threads > 256)
         return crt_fail(err, "%d threads are impossible; use 1 to 256", desc->threads);
-    return sane_cells(desc, err);
+    return crt_tube_check_phosphor(desc->row, desc->phosphor, err) && sane_cells(desc, err);
 }
 
 /* Which terms have no plane, and how long the journal must remember strokes for them. */
@@ -181,6 +182,7 @@ static void drop_complete(struct crt_tube *tube)
     while (*link) {
         struct crt_film *film = *link;
         if (film->fed_to >= film->t1) {
+            crt_mask_complete(&tube->desc, film, tube->pool);
             film->complete = true;
             *link = film->next;
             film->next = NULL;

@@ -97,6 +97,8 @@ static void plan_tube(struct plan *p, const uint8_t *b)
     const struct crt_tube_row *row = crt_tube_rows(&rows);
     const struct crt_phosphor *phosphor = crt_phosphors(&phosphors);
     struct crt_error err;
+    while (row[rows - 1].kind != CRT_VECTOR_TUBE) /* which come first */
+        rows--;
     p->row = row[b[0] % rows];
     p->phosphor = &phosphor[b[1] % phosphors];
     p->flags = b[2];
