@@ -175,6 +175,7 @@ static const struct crt_tube_row rows[] = {
      .character = FIG(240, 100, 500, "estimate: 48 positions of 5 us"),
      .dot = FIG(5, 2, 10, "estimate: a symbol generator faster than single points"),
      .intensify = FIG(50, 40, 60, "estimate: as long as a point takes")},
+#include "crt/tube_rows_penetration.inc"
 };
 
 const struct crt_tube_row *crt_tube_rows(size_t *count)

@@ -10,7 +10,7 @@
 
 #include "crt/tube_table.h"
 
-static const char *const names[] = {"VR17", "VR14", "LAB31", "RADAR7", "TYPE30"};
+static const char *const names[] = {"VR17", "VR14", "LAB31", "RADAR7", "TYPE30", "PENET17"};
 #define TUBES (sizeof names / sizeof names[0])
 
 static void all_tubes_are_there(void **state)
