@@ -21,6 +21,11 @@ const struct vm_option vm_settings_rows[VM_SETTINGS_ROWS] = {
      0, 0},
     {"refresh", 0, VM_OPT_RATE, ROW(refresh), "HZ", "rate of the sync tick instead of the tube's",
      0, 0},
+    {"personality", 0, VM_OPT_CHOICE, ROW(personality), "vt11|vs60",
+     "display processor: vt11, or with the colours of the vs60; default vs60 on a penetration "
+     "tube, "
+     "else vt11",
+     0, 0},
     {"on-stop", 0, VM_OPT_CHOICE, ROW(on_stop), "restart|halt",
      "what follows a stop word: restart at the next sync tick (default), or halt", 0, 0},
     {"threads", 0, VM_OPT_INTEGER, ROW(threads), "N",
@@ -216,6 +221,14 @@ static bool take_simd(struct vm_settings *s, const char *name, struct crt_error 
     return true;
 }
 
+/* Without colours on the tube the words that set them stay without effect, as on a VT11. */
+static enum df_personality take_personality(const char *name, const struct crt_tube_row *row)
+{
+    if (!name)
+        return crt_tube_has_group(row, CRT_GROUP_PENETRATION) ? DF_VS60 : DF_VT11;
+    return strcmp(name, "vs60") == 0 ? DF_VS60 : DF_VT11;
+}
+
 static int default_threads(void)
 {
     long n = sysconf(_SC_NPROCESSORS_ONLN);
@@ -243,6 +256,7 @@ int vm_settings_resolve(const struct vm_settings_options *o,
                   &glass, err) ||
         !take_tube(s, glass.tube, err))
         return o->tube ? 2 : 1;
+    s->personality = take_personality(o->personality, &s->row);
     const char *phosphor = o->phosphor                           ? o->phosphor
                            : glass.phosphor[0]                   ? glass.phosphor
                            : recording && recording->phosphor[0] ? recording->phosphor
@@ -271,6 +285,7 @@ struct vm_machine_desc vm_settings_machine(const struct vm_settings *s,
     timing.average_ps = s->average_ps;
     return (struct vm_machine_desc){.row = &s->row,
                                     .timing = timing,
+                                    .personality = s->personality,
                                     .tick = s->tick,
                                     .memory_bytes = s->memory_bytes,
                                     .on_stop = s->on_stop,

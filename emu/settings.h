@@ -1,6 +1,7 @@
 /* settings.h — the options every subcommand shares: which tube, which phosphor, how it is set up.
  *
  *      --tube --phosphor --tubes FILE --set key=value --refresh HZ --on-stop --threads --simd
+ *      --personality
  *          │                                    options.h fills struct vm_settings_options
  *          ▼
  *      rows of the catalogue, copied and changed ─▶ struct vm_settings ─▶ machine and tube descs
@@ -18,13 +19,13 @@
 #include "emu/options.h"
 
 struct vm_settings_options {
-    const char *tube, *phosphor, *on_stop, *simd;
+    const char *tube, *phosphor, *personality, *on_stop, *simd;
     struct vm_list tubes, set;
     struct crt_rate refresh;
     long threads;
 };
 
-#define VM_SETTINGS_ROWS 8
+#define VM_SETTINGS_ROWS 9
 extern const struct vm_option vm_settings_rows[VM_SETTINGS_ROWS];
 
 struct vm_settings {
@@ -36,6 +37,7 @@ struct vm_settings {
     uint32_t memory_bytes;
     uint64_t average_ps; /* 0 = the row's times */
     enum vm_on_stop on_stop;
+    enum df_personality personality; /* of the display processor; VS60 by default with colours */
     int threads;
     enum crt_simd simd;
 };
