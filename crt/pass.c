@@ -163,6 +163,7 @@ static void add_films(struct crt_pass *pass, uint32_t mask)
             const struct crt_feed *open = &pass->feed[i].open;
             struct crt_receiver *receiver = &pass->receiver[pass->receivers++];
             film_shares(receiver, phosphor, c, mask, open->from, open->to);
+            receiver->colour = c;
             receiver->cells = open->film->light[c];
         }
 }
@@ -174,7 +175,8 @@ static void add_planes(struct crt_pass *pass)
         const struct crt_plane *plane = &tube->planes.plane[k];
         const struct crt_phosphor_term *term = &tube->desc.phosphor->term[plane->term];
         struct crt_receiver *receiver = &pass->receiver[pass->receivers++];
-        *receiver = (struct crt_receiver){.cells = plane->cells, .shares = 1};
+        *receiver =
+            (struct crt_receiver){.cells = plane->cells, .colour = term->colour, .shares = 1};
         receiver->share[0] = (struct crt_share){.ref = tube->end, .to = tube->end};
         crt_share_add(&receiver->share[0], term->w, term->tau_s);
     }

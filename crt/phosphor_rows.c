@@ -364,6 +364,23 @@ static const struct crt_phosphor rows[] = {
      CRT_FROM_JEDEC,
      XY JANK "Term: t10/ln 10.",
      "Y2SiO5:Ce."},
+    {"P49",
+     "",
+     "red layer 619 nm before a green layer 525 nm",
+     525,
+     2,
+     {{.672, .327}, {.315, .615}},
+     .terms = 2,
+     .term = {{.375, .5 MS, 0}, {.625, 24 MS / 2.302585092994046, 1}},
+     0,
+     UNPUBLISHED,
+     UNPUBLISHED,
+     CRT_FROM_IMPULSE,
+     XY "Terms: estimate. Red as YVO4:Eu, whose light lives half a millisecond; green as P1 "
+        "(Zn2SiO4:Mn), 24 ms to 10 %.",
+     "For penetration tubes. Colour 1 is the layer the beam meets first. The shares say what the "
+     "layers give for the same energy, 0.6 to 1: of red at 612 nm, the dominant wavelength, 1 W is "
+     "some 330 lm, of P1's green some 550 lm (estimate)."},
     {"P53",
      "KJ",
      "yellow-green",

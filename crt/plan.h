@@ -31,6 +31,7 @@
 /* Somewhere that light goes: a plane, or a film. */
 struct crt_receiver {
     float *cells;
+    int colour; /* of the phosphor, whose light it gets */
     int shares;
     struct crt_share share[2]; /* one after the other in time */
     double brightest;          /* crest of the brightest stroke in it, so far as known */
@@ -62,6 +63,7 @@ struct crt_drawn {
     double power;          /* per second, in cd·s/m² × cells */
     double sigma;          /* cells */
     double crest;          /* light of the brightest cell, energy share 1, cd·s/m² */
+    const double *light;   /* the entry's, per colour */
     int place;
     bool moving, whole;
 };

@@ -94,8 +94,8 @@ static void look_at_entry(const struct looking *at, const struct crt_entry *entr
             continue;
         double rate = drawn / term->tau_s;
         double shape = line ? faded_line(along, length, rate) : faded(rate);
-        at->cd_m2[term->colour] +=
-            energy * profile * shape * term->w / term->tau_s * crt_exp(-after / term->tau_s);
+        at->cd_m2[term->colour] += energy * entry->light[term->colour] * profile * shape * term->w /
+                                   term->tau_s * crt_exp(-after / term->tau_s);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <assert.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "crt/mask.h"
 #include "crt/maths.h"
@@ -44,7 +45,8 @@ static bool sane_desc(const struct crt_tube_desc *desc, struct crt_error *err)
                         g->cols, g->rows);
     if (desc->threads < 1 || desc->threads > 256)
         return crt_fail(err, "%d threads are impossible; use 1 to 256", desc->threads);
-    return crt_tube_check_phosphor(desc->row, desc->phosphor, err) && sane_cells(desc, err);
+    return crt_tube_check_phosphor(desc->row, desc->phosphor, err) &&
+           crt_penetration_fits(desc->row, desc->phosphor, err) && sane_cells(desc, err);
 }
 
 /* Which terms have no plane, and how long the journal must remember strokes for them. */
@@ -77,6 +79,8 @@ struct crt_tube *crt_tube_create(const struct crt_tube_desc *desc, struct crt_er
         return NULL;
     }
     tube->desc = *desc;
+    for (unsigned level = 0; level < CRT_LEVELS; level++)
+        tube->voltage[level] = crt_voltage_at(desc->row, desc->phosphor, (enum crt_level)level);
     tube->kernels = kernels;
     tube->end = crt_tick_time(desc->epoch, 1);
     double epoch_s = (double)desc->epoch.den / (double)desc->epoch.num;
@@ -133,9 +137,22 @@ static bool sane_stroke(const struct crt_stroke *s)
            isfinite(s->y1);
 }
 
+/* The beam's voltage: how wide it is, where it goes, and what it lights. */
+static void apply_voltage(const struct crt_voltage *voltage, double sigma_mm,
+                          struct crt_entry *entry)
+{
+    struct crt_stroke *s = &entry->stroke;
+    float *const place[4] = {&s->x0, &s->y0, &s->x1, &s->y1};
+    entry->sigma_mm = sigma_mm * voltage->sigma;
+    memcpy(entry->light, voltage->light, sizeof entry->light);
+    for (int i = 0; voltage->place != 1 && i < 4; i++)
+        *place[i] = (float)((double)*place[i] * voltage->place);
+}
+
 void crt_tube_stroke(struct crt_tube *tube, const struct crt_stroke *stroke)
 {
     assert(stroke->t0 >= tube->last_start && stroke->t0 >= tube->now);
+    assert(stroke->level < CRT_LEVELS);
     tube->last_start = stroke->t0;
     tube->strokes++;
     if (!sane_stroke(stroke))
@@ -147,7 +164,8 @@ void crt_tube_stroke(struct crt_tube *tube, const struct crt_stroke *stroke)
     }
     if (!(tube->spot.power > 0))
         return;
-    struct crt_entry entry = {*stroke, tube->spot.power, tube->spot.sigma_mm, 0};
+    struct crt_entry entry = {.stroke = *stroke, .power = tube->spot.power};
+    apply_voltage(&tube->voltage[stroke->level], tube->spot.sigma_mm, &entry);
     entry.crest = crt_plan_crest(&entry);
     if (!crt_journal_push(&tube->journal, &entry))
         tube->lost++;

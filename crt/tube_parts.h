@@ -8,6 +8,7 @@
 #include "crt/footprint.h"
 #include "crt/journal.h"
 #include "crt/pass.h"
+#include "crt/penetration.h"
 #include "crt/planes.h"
 #include "crt/pool.h"
 #include "crt/reuse.h"
@@ -33,6 +34,7 @@ struct crt_tube {
     float spot_drive; /* the drive `spot` is for */
     bool spot_valid;
     struct crt_spot spot;
+    struct crt_voltage voltage[CRT_LEVELS];
 };
 
 #endif

@@ -193,6 +193,7 @@ static const struct crt_tube_row rows[] = {
      .character = FIG(240, 100, 500, "estimate: 48 positions of 5 us"),
      .dot = FIG(5, 2, 10, "estimate: a symbol generator faster than single points"),
      .intensify = FIG(50, 40, 60, "estimate: as long as a point takes")},
+#include "crt/tube_rows_penetration.inc"
     {.name = "COLOR17",
      .description = "17 inch colour monitor with 16 inch to see, delta triads",
      .phosphor = "P22",

@@ -193,6 +193,18 @@ static bool check_grid(const struct crt_tube_row *row, struct crt_error *err)
                     row->height.value + border, cols, rows, CRT_MAX_GRID_CELLS);
 }
 
+static bool check_voltages(const struct crt_tube_row *row, struct crt_error *err)
+{
+    double red = row->kv_red.value, orange = row->kv_orange.value, yellow = row->kv_yellow.value,
+           green = row->kv_green.value;
+    return (row->kv_dead.value < green && red < green && red <= orange && orange <= yellow &&
+            yellow <= green) ||
+           crt_fail(err,
+                    "tube %s: kv_red, kv_orange, kv_yellow and kv_green are %g, %g, %g and %g kV; "
+                    "they must rise, and the last be above kv_dead, %g kV",
+                    row->name, red, orange, yellow, green, row->kv_dead.value);
+}
+
 static bool check_units(const struct crt_tube_row *row, struct crt_error *err)
 {
     return (row->units_x.value == floor(row->units_x.value) &&
@@ -257,6 +269,8 @@ bool crt_tube_check(const struct crt_tube_row *row, struct crt_error *err)
     if (row->kind == CRT_RASTER_TUBE && !check_rates(row, err))
         return false;
     if (row->mask != CRT_MASK_NONE && !check_mask(row, err))
+        return false;
+    if (crt_tube_has_group(row, CRT_GROUP_PENETRATION) && !check_voltages(row, err))
         return false;
     return check_grid(row, err);
 }

@@ -18,6 +18,7 @@ void vm_machine_init(struct vm_machine *m, const struct vm_machine_desc *desc)
     for (int line = 0; line < DF_INT_COUNT; line++)
         m->interrupt[line].change = VM_NEVER;
     struct df_dpu_desc d = {
+        .personality = desc->personality,
         .memory = m->memory,
         .memory_bytes = desc->memory_bytes,
         .screen = crt_tube_screen(desc->row),

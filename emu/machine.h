@@ -73,6 +73,7 @@ struct vm_pen {
 struct vm_machine_desc {
     const struct crt_tube_row *row;
     struct df_timing timing;
+    enum df_personality personality;
     struct crt_rate tick;
     uint32_t memory_bytes;
     enum vm_on_stop on_stop;

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "crt/penetration.h"
 #include "emu/settings_parts.h"
 
 #define ROW(field) offsetof(struct vm_settings_options, field)
@@ -30,6 +31,11 @@ const struct vm_option vm_settings_rows[VM_SETTINGS_ROWS] = {
      "tube row: spot=0.4, vector_unit=50ns; raster.spot=0.5 names the head",
      0, 0},
     {"refresh", 0, VM_OPT_RATE, ROW(refresh), "HZ", "rate of the sync tick instead of the tube's",
+     0, 0},
+    {"personality", 0, VM_OPT_CHOICE, ROW(personality), "vt11|vs60",
+     "display processor: vt11, or with the colours of the vs60; default vs60 on a penetration "
+     "tube, "
+     "else vt11",
      0, 0},
     {"on-stop", 0, VM_OPT_CHOICE, ROW(on_stop), "restart|halt",
      "what follows a stop word: restart at the next sync tick (default), or halt", 0, 0},
@@ -72,21 +78,6 @@ static const struct crt_tube_row *find_tube(struct vm_settings *s, const char *n
     return NULL;
 }
 
-/* A screen is made for its guns: one beam lights all of an even phosphor, three beams a colour each. */
-static bool guns_fit(const struct vm_monitor *m, struct crt_error *err)
-{
-    int guns = crt_tube_guns(&m->row);
-    bool three = m->phosphor.colours == 3;
-    if (guns == 3 && !three)
-        return crt_fail(err,
-                        "tube %s has three guns and needs a phosphor of three colours; %s has "
-                        "%d",
-                        m->row.name, m->phosphor.name, m->phosphor.colours);
-    return guns == 3 || !three ||
-           crt_fail(err, "phosphor %s is for three guns; tube %s has one", m->phosphor.name,
-                    m->row.name);
-}
-
 static bool take_phosphor(struct vm_settings *s, enum vm_head head, const char *name,
                           struct crt_error *err)
 {
@@ -95,7 +86,8 @@ static bool take_phosphor(struct vm_settings *s, enum vm_head head, const char *
     size_t count = 0;
     if (p) {
         s->monitor[head].phosphor = *p;
-        return guns_fit(&s->monitor[head], err);
+        return crt_tube_check_phosphor(&s->monitor[head].row, p, err) &&
+               crt_penetration_fits(&s->monitor[head].row, p, err);
     }
     for (size_t i = 0; i < s->catalogue.phosphor_count && count < 256; i++)
         names[count++] = s->catalogue.phosphors[i].name;
@@ -232,6 +224,14 @@ static bool take_simd(struct vm_settings *s, const char *name, struct crt_error 
     return true;
 }
 
+/* Without colours on the tube the words that set them stay without effect, as on a VT11. */
+static enum df_personality take_personality(const char *name, const struct crt_tube_row *row)
+{
+    if (!name)
+        return crt_tube_has_group(row, CRT_GROUP_PENETRATION) ? DF_VS60 : DF_VT11;
+    return strcmp(name, "vs60") == 0 ? DF_VS60 : DF_VT11;
+}
+
 static int default_threads(void)
 {
     long n = sysconf(_SC_NPROCESSORS_ONLN);
@@ -256,6 +256,7 @@ int vm_settings_resolve(const struct vm_settings_options *o,
     int status = choose_tubes(s, o, recording, tube, err);
     if (status)
         return status;
+    s->personality = take_personality(o->personality, &s->monitor[VM_VECTOR].row);
     if (!vm_settings_set(s, &o->set, err) || !take_mode(s, o->mode, err) ||
         !take_simd(s, o->simd, err))
         return 2;
@@ -280,6 +281,7 @@ struct vm_machine_desc vm_settings_machine(const struct vm_settings *s,
     timing.average_ps = s->average_ps;
     return (struct vm_machine_desc){.row = row,
                                     .timing = timing,
+                                    .personality = s->personality,
                                     .tick = s->tick,
                                     .memory_bytes = s->memory_bytes,
                                     .on_stop = s->on_stop,

@@ -1,6 +1,6 @@
 /* settings.h — the options every subcommand shares: which tubes, which phosphor, how they are set up.
  *
- *      --tube --phosphor --mode --view --tubes FILE --set key=value --refresh HZ --on-stop --threads
+ *      --tube --phosphor --personality --mode --view --tubes FILE --set key=value --refresh HZ …
  *          │                                    options.h fills struct vm_settings_options
  *          ▼
  *      rows of the catalogue, copied and changed ─▶ struct vm_settings ─▶ machine and tube descs
@@ -24,13 +24,13 @@
 #include "raster/mode.h"
 
 struct vm_settings_options {
-    const char *phosphor, *on_stop, *simd, *mode, *view;
+    const char *phosphor, *personality, *on_stop, *simd, *mode, *view;
     struct vm_list tube, tubes, set;
     struct crt_rate refresh;
     long threads;
 };
 
-#define VM_SETTINGS_ROWS 10
+#define VM_SETTINGS_ROWS 11
 extern const struct vm_option vm_settings_rows[VM_SETTINGS_ROWS];
 
 /* A tube as it stands there: the row and phosphor copied, and how its knobs are set. */
@@ -50,6 +50,7 @@ struct vm_settings {
     uint32_t memory_bytes;
     uint64_t average_ps; /* 0 = the row's times */
     enum vm_on_stop on_stop;
+    enum df_personality personality; /* of the display processor; VS60 by default with colours */
     int threads;
     enum crt_simd simd;
 };

@@ -1,11 +1,23 @@
 #include "emu/trace_lines.h"
 
 #include "crt/beam_file.h"
+#include "crt/penetration.h"
 #include "display_file/df_regs.h"
 #include "emu/cpu/rv_disasm.h"
 #include "emu/memmap.h"
 
 #define ULL(x) ((unsigned long long)(x))
+
+static void print_registers(FILE *out, uint64_t t, uint16_t address, uint16_t word,
+                            const struct df_dpu *dpu)
+{
+    enum crt_level level = df_dpu_level(dpu);
+    fprintf(out, "dpu %llu DPC=%06o WORD=%06o MPR=%06o XPR=%06o YPR=%06o", ULL(t), address, word,
+            df_dpu_read(dpu, DF_MPR), df_dpu_read(dpu, DF_XPR), df_dpu_read(dpu, DF_YPR));
+    if (level != CRT_LEVEL_ONLY)
+        fprintf(out, " COLOUR=%s", crt_level_name(level));
+    fputc('\n', out);
+}
 
 static void print_word(void *ctx, uint64_t t, uint16_t address, uint16_t word, bool fetched,
                        const struct df_dpu *dpu)
@@ -14,8 +26,7 @@ static void print_word(void *ctx, uint64_t t, uint16_t address, uint16_t word, b
     if (!fetched)
         fprintf(l->out, "# dpu %llu bus time-out at DPC=%06o\n", ULL(t), address);
     else
-        fprintf(l->out, "dpu %llu DPC=%06o WORD=%06o MPR=%06o XPR=%06o YPR=%06o\n", ULL(t), address,
-                word, df_dpu_read(dpu, DF_MPR), df_dpu_read(dpu, DF_XPR), df_dpu_read(dpu, DF_YPR));
+        print_registers(l->out, t, address, word, dpu);
 }
 
 static void print_stroke(void *ctx, const struct crt_stroke *stroke)

@@ -1,6 +1,7 @@
 /* trace_lines.h — the machine's events as text, one line each.
  *
- *      dpu <t> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo       word executed
+ *      dpu <t> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo       word executed; with the
+ *          VS60's colours also COLOUR=green
  *      cpu <t> PC=hhhhhhhh WORD=hhhhhhhh addi a0,a0,1 a0=hhhhhhhh             instruction and its effect
  *      irq <t> stop high                                                     line of a device
  *      irq <t> processor takes machine external interrupt at PC=hhhhhhhh

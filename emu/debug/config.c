@@ -24,6 +24,7 @@ static void stroke_fields(struct crt_state *s, struct crt_stroke stroke)
     crt_state_f32(s, &stroke.y1);
     crt_state_f32(s, &stroke.drive);
     crt_state_u32(s, &stroke.source);
+    crt_state_u32(s, &stroke.level);
 }
 
 static void segment_fields(struct crt_state *s, struct vm_elf_segment segment)
@@ -103,16 +104,17 @@ static void timing_fields(struct crt_state *s, struct ras_timing timing)
 static void machine_fields(struct crt_state *s, const struct vm_machine_desc *desc)
 {
     struct df_timing t = desc->timing;
-    uint64_t *const times[] = {&t.fetch_ps,       &t.vector_setup_ps, &t.vector_unit_ps,
-                               &t.vector_rest_ps, &t.settle_ps,       &t.settle_unit_ps,
-                               &t.settle_max_ps,  &t.point_ps,        &t.character_ps,
-                               &t.dot_ps,         &t.intensify_ps,    &t.average_ps};
+    uint64_t *const times[] = {
+        &t.fetch_ps,       &t.vector_setup_ps,  &t.vector_unit_ps, &t.vector_rest_ps, &t.settle_ps,
+        &t.settle_unit_ps, &t.settle_max_ps,    &t.point_ps,       &t.character_ps,   &t.dot_ps,
+        &t.intensify_ps,   &t.colour_switch_ps, &t.average_ps};
     uint32_t memory_bytes = desc->memory_bytes;
-    uint8_t on_stop = (uint8_t)desc->on_stop;
+    uint8_t on_stop = (uint8_t)desc->on_stop, personality = (uint8_t)desc->personality;
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
         crt_state_u64(s, times[i]);
     crt_state_u32(s, &memory_bytes);
     crt_state_u8(s, &on_stop);
+    crt_state_u8(s, &personality);
     rate_fields(s, desc->tick);
     if (desc->board)
         rate_fields(s, desc->board->clock);
@@ -208,7 +210,7 @@ bool vm_config_agree(const struct vm_config *theirs, const struct vm_config *our
                         hertz(theirs->tick), hertz(ours->tick));
     if (differs(theirs, ours, VM_CONFIG_MACHINE))
         return crt_fail(err, "made with another machine; give the same --set memory, "
-                             "--set dpu.average and --on-stop");
+                             "--set dpu.average, --personality and --on-stop");
     return true;
 }
 

@@ -11,10 +11,10 @@
 #include "crt/tube_table.h"
 
 /* Vector tubes, then raster tubes. */
-static const char *const names[] = {"VR17",    "VR14",   "LAB31",    "RADAR7", "TYPE30",
+static const char *const names[] = {"VR17",    "VR14",   "LAB31",    "RADAR7", "TYPE30", "PENET17",
                                     "COLOR17", "SLOT14", "GRILLE17", "MONO12", "TV12M"};
 #define TUBES        (sizeof names / sizeof names[0])
-#define VECTOR_TUBES 5
+#define VECTOR_TUBES 6
 
 static void all_tubes_are_there(void **state)
 {

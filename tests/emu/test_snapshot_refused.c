@@ -34,28 +34,31 @@ static void refused(struct snap_run *r, const struct crt_state *s, const char *s
 static void another_configuration_is_refused(void **state)
 {
     (void)state;
-    struct vm_settings_options options[8] = {
-        {.tube = "VR14"},      {.phosphor = "P31"},   {.refresh = {50, 1}},  {.on_stop = "halt"},
-        {.set = {.count = 1}}, {.set = {.count = 1}}, {.set = {.count = 1}}, {.set = {.count = 1}}};
-    static const char *const sentences[8] = {
+    struct vm_settings_options options[9] = {
+        {.tube = "VR14"},      {.phosphor = "P31"},     {.refresh = {50, 1}},
+        {.on_stop = "halt"},   {.set = {.count = 1}},   {.set = {.count = 1}},
+        {.set = {.count = 1}}, {.personality = "vs60"}, {.set = {.count = 1}}};
+    static const char *const sentences[9] = {
         "FILE was made with another tube (VR17, this run has VR14); give the same --tube, --tubes "
         "and --set figures",
         "FILE was made with another phosphor (P39, this run has P31); give the same --phosphor and "
         "--tubes",
         "FILE was made with another sync tick (60 Hz, this run has 50 Hz); give the same --refresh",
-        "FILE was made with another machine; give the same --set memory, --set dpu.average and "
-        "--on-stop",
-        "FILE was made with another machine; give the same --set memory, --set dpu.average and "
-        "--on-stop",
+        "FILE was made with another machine; give the same --set memory, --set dpu.average, "
+        "--personality and --on-stop",
+        "FILE was made with another machine; give the same --set memory, --set dpu.average, "
+        "--personality and --on-stop",
         "FILE was made with another version of the tube VR17; give the same --tube, --tubes and "
         "--set figures",
-        "FILE was made with another machine; give the same --set memory, --set dpu.average and "
-        "--on-stop",
+        "FILE was made with another machine; give the same --set memory, --set dpu.average, "
+        "--personality and --on-stop",
+        "FILE was made with another machine; give the same --set memory, --set dpu.average, "
+        "--personality and --on-stop",
         NULL};
     options[4].set.item[0] = "memory=32K";
     options[5].set.item[0] = "spot=0.5";
     options[6].set.item[0] = "dpu.average=20us";
-    options[7].set.item[0] = "brightness=0.2"; /* knobs are state */
+    options[8].set.item[0] = "brightness=0.2"; /* knobs are state */
     struct snap_run *a = snap_open("roms/lander.df", true, &snap_plain);
     vm_machine_run(a->rig.machine, 3 * TICK + MS);
     struct crt_state s = snap_save(a);

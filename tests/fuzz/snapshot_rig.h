@@ -57,7 +57,7 @@ static const uint16_t words[WORDS] = {
     'S' | 016 << 8,
     041,
     DF_SET_MODE | DF_MODE_GRAPHX << DF_MODE_SHIFT,
-    DF_STATUS_B | DF_LSB_STEP | 10,
+    DF_STATUS_B | DF_LSB_STEP | 10 | DF_LSB_COLOUR | DF_COLOUR_ORANGE << DF_LSB_COLOUR_SHIFT,
     300,
     310,
     DF_STATUS_A | DF_LSA_SYNC | DF_LSA_STOP_INT | DF_LSA_STOP_INT_ON,
@@ -186,6 +186,16 @@ static void make_firmware(void)
                                                    .executable = true};
 }
 
+/* The tube's cells are a VR17's, its voltages a penetration tube's. */
+static void give_colours(struct crt_tube_row *row)
+{
+    const struct crt_tube_row *from = crt_tube_row_find("PENET17");
+    row->penetration = true;
+#define X(field, unit, meaning) row->field = from->field;
+    CRT_FIGURES_PENETRATION(X)
+#undef X
+}
+
 static void set_up(bool with_firmware)
 {
     struct crt_error err;
@@ -194,7 +204,9 @@ static void set_up(bool with_firmware)
                                     .tick = {1000, 1},
                                     .knobs = {0, 1, 0},
                                     .memory_bytes = 4096,
+                                    .personality = DF_VS60,
                                     .threads = 1};
+    give_colours(&settings.monitor[VM_VECTOR].row);
     strcpy(input.name, "fuzz");
     REQUIRE(df_program_init(&input.program, &err));
     for (uint32_t i = 0; i < WORDS; i++)
