@@ -21,7 +21,7 @@ struct vm_capture_options {
     struct vm_time exposure, from, to;
     struct crt_rate fps;
     struct vm_size size;
-    bool film, glass, hash, allow_dark;
+    bool film, glass, buffer, hash, allow_dark;
     struct vm_moment_options moment;
     struct vm_saved_options saved;
     struct vm_settings_options settings;
@@ -48,7 +48,8 @@ struct vm_capture {
     struct vm_y4m y4m;
     struct vm_progress progress;
     bool sequence, strip;
-    uint64_t loaded; /* when the machine of --load-state was saved; else 0 */
+    const struct vm_machine *machine; /* while pictures are taken */
+    uint64_t loaded;                  /* when the machine of --load-state was saved; else 0 */
 };
 
 /* Takes --closeup apart. */

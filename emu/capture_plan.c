@@ -55,9 +55,12 @@ static bool plan_closeup(struct vm_capture *c, const struct vm_machine *m, struc
 /* Which heads, by what tubes, how long. */
 static int plan_view(struct vm_capture *c, const struct vm_machine *m, struct crt_error *err)
 {
-    if (!vm_view_resolve(c->settings.view, m, c->input.name, &c->view, err))
+    enum vm_view wanted = c->o.buffer ? VM_VIEW_RASTER : c->settings.view;
+    if (!vm_view_resolve(wanted, m, c->input.name, &c->view, err))
         return VM_EXIT_USAGE;
     c->tubes = vm_settings_tubes(&c->settings, c->view);
+    if (c->o.buffer)
+        c->tubes.heads = 0;
     c->shots.exposure = vm_view_exposure(c->view, m);
     return !c->o.closeup || plan_closeup(c, m, err) ? VM_EXIT_OK : VM_EXIT_USAGE;
 }

@@ -24,6 +24,9 @@ static const struct vm_option rows[] = {
      "what a viewer sees, faceplate and room light too (default)", 0, 0},
     {"film", 0, VM_OPT_FLAG, ROW(film), "", "the tube's own light, exact, one pixel a film cell", 0,
      0},
+    {"buffer", 0, VM_OPT_FLAG, ROW(buffer), "",
+     "the refresh buffer itself, one pixel a dot, as the raster head would read it at the moment",
+     0, 0},
     {"closeup", 0, VM_OPT_STRING, ROW(closeup), "X,Y,WIDTH_MM",
      "look at WIDTH_MM of screen around X,Y (head units) through a microscope; implies --film", 0,
      0},
@@ -51,6 +54,9 @@ static bool check_options(struct vm_capture *c, struct crt_error *err)
     c->sequence = o->from.given || o->to.given || o->fps.num || c->strip;
     if (o->film && o->glass)
         return crt_fail(err, "--film and --glass exclude each other");
+    if (o->buffer && (o->film || o->glass || o->closeup || o->size.width))
+        return crt_fail(err, "--buffer is what the program has stored, before any tube; leave out "
+                             "--film, --glass, --closeup and --size");
     if (o->closeup && o->glass)
         return crt_fail(err,
                         "--closeup and --glass exclude each other: a microscope sees the film");
@@ -82,7 +88,8 @@ static bool print_hash(struct vm_capture *c, const struct vm_frame *frame, struc
 {
     struct crt_image image;
     char hex[65];
-    if (!vm_studio_picture(&c->film_studio, frame, &image, err))
+    if (!(c->o.buffer ? vm_buffer_picture(c->machine, c->studio.depth, &image, err)
+                      : vm_studio_picture(&c->film_studio, frame, &image, err)))
         return false;
     crt_image_hash(&image, hex);
     printf("%s\n", hex);
@@ -96,7 +103,8 @@ static bool write_picture(struct vm_capture *c, const struct vm_frame *frame, ui
     char name[4096];
     struct crt_image image;
     bool ok;
-    if (!vm_studio_picture(&c->studio, frame, &image, err))
+    if (!(c->o.buffer ? vm_buffer_picture(c->machine, c->studio.depth, &image, err)
+                      : vm_studio_picture(&c->studio, frame, &image, err)))
         return false;
     if (c->strip) {
         ok = c->y4m.file ||
@@ -113,7 +121,8 @@ static bool write_picture(struct vm_capture *c, const struct vm_frame *frame, ui
 static bool take(void *ctx, const struct vm_frame *frame, uint64_t number, struct crt_error *err)
 {
     struct vm_capture *c = ctx;
-    if (!c->sequence && !c->o.allow_dark && vm_frame_is_black(frame, &c->studio.lights)) {
+    if (!c->sequence && !c->o.allow_dark && !c->o.buffer &&
+        vm_frame_is_black(frame, &c->studio.lights)) {
         char text[32];
         vm_format_time(frame->t1, text, sizeof text);
         return crt_fail(
@@ -144,6 +153,7 @@ static bool expose(struct vm_capture *c, struct crt_error *err)
     struct vm_rig rig;
     if (!vm_rig_open(&rig, &c->settings, &c->input, DF_TIMING_VALUE, &c->tubes, err))
         return false;
+    c->machine = rig.machine;
     bool ok = vm_saved_load(&c->o.saved, &rig, &c->settings, &c->input, err) &&
               vm_expose(&rig, &c->shots, &c->progress, take, c, err) && intact(&rig, err) &&
               vm_saved_save(&c->o.saved, &rig, &c->settings, &c->input, err);
@@ -154,7 +164,7 @@ static bool expose(struct vm_capture *c, struct crt_error *err)
 /* What pictures are made by, now that the view is known. */
 static void furnish(struct vm_capture *c, const struct vm_lights *lights)
 {
-    bool film = c->o.film || c->o.closeup || !(c->o.out || c->o.y4m);
+    bool film = c->o.film || c->o.closeup || c->o.buffer || !(c->o.out || c->o.y4m);
     c->studio = (struct vm_studio){.film = film,
                                    .depth = strcmp(c->o.depth, "16") == 0 ? 16 : 8,
                                    .threads = c->settings.threads,

@@ -121,6 +121,24 @@ bool vm_studio_picture(struct vm_studio *studio, const struct vm_frame *frame,
     return ok;
 }
 
+bool vm_buffer_picture(const struct vm_machine *m, int depth, struct crt_image *image,
+                       struct crt_error *err)
+{
+    uint32_t colour[4096 + 8];
+    const struct ras_timing *timing = &m->raster.timing;
+    uint16_t scale = depth == 16 ? 257 : 1; /* 255 becomes 65535 */
+    if (!crt_image_init(image, (int)timing->h.visible, (int)timing->v.visible, depth, err))
+        return false;
+    uint16_t *to = image->samples;
+    for (uint32_t row = 0; row < timing->v.visible; row++) {
+        ras_head_pixels(&m->raster, row, colour);
+        for (uint32_t x = 0; x < timing->h.visible; x++)
+            for (int shift = 16; shift >= 0; shift -= 8)
+                *to++ = (uint16_t)((colour[x] >> shift & 0xFF) * scale);
+    }
+    return true;
+}
+
 /* ---- pictures -----------------------------------------------------------------------------------
  */
 

@@ -47,6 +47,11 @@ void vm_studio_close(struct vm_studio *studio);
 bool vm_studio_picture(struct vm_studio *studio, const struct vm_frame *frame,
                        struct crt_image *image, struct crt_error *err);
 
+/* The refresh buffer as the raster head would read it now, a pixel a dot, its values as sRGB codes.
+ * The caller frees the image. */
+bool vm_buffer_picture(const struct vm_machine *machine, int depth, struct crt_image *image,
+                       struct crt_error *err);
+
 /* True when no sample of the picture would differ from black. */
 bool vm_frame_is_black(const struct vm_frame *frame, const struct vm_lights *lights);
 

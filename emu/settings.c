@@ -303,7 +303,9 @@ static struct crt_tube_desc tube_desc(const struct vm_settings *s, enum vm_head 
 
 struct vm_tubes vm_settings_tubes(const struct vm_settings *s, enum vm_view view)
 {
-    return (struct vm_tubes){
-        .heads = view == VM_VIEW_AUTO ? VM_VIEW_BOTH : view,
-        .desc = {[VM_VECTOR] = tube_desc(s, VM_VECTOR), [VM_RASTER] = tube_desc(s, VM_RASTER)}};
+    struct vm_tubes tubes = {.heads = view == VM_VIEW_AUTO ? VM_VIEW_BOTH : view};
+    for (int h = 0; h < VM_HEADS; h++)
+        if (tubes.heads >> h & 1)
+            tubes.desc[h] = tube_desc(s, (enum vm_head)h);
+    return tubes;
 }

@@ -65,6 +65,15 @@ uint64_t ras_head_next(const struct ras_head *head)
     return signal ? head->signal_time : head->next_time;
 }
 
+/* The second field of a frame is the odd one. */
+static void retrace(struct ras_head *head, uint64_t dot, uint64_t t)
+{
+    const struct ras_wires *wires = &head->desc.wires;
+    bool odd = dot / ras_field_dots(&head->timing) & 1;
+    if (wires->retrace)
+        wires->retrace(wires->ctx, t, odd || !head->timing.interlaced);
+}
+
 static void happen(struct ras_head *head)
 {
     uint64_t dot = head->next_dot, t = head->next_time, left = (uint64_t)head->sweep.left;
@@ -74,6 +83,7 @@ static void happen(struct ras_head *head)
     case RAS_EVENT_RETRACE:
         take(head, t);
         ras_change(head, head->status | VIDEO_STATUS_RETRACE, head->irq_enable, t);
+        retrace(head, dot, t);
         break;
     case RAS_EVENT_COMPARE:
         ras_change(head, head->status | VIDEO_STATUS_COMPARE, head->irq_enable, t);

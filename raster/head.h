@@ -132,6 +132,10 @@ bool ras_head_beam(const struct ras_head *head, uint64_t t, uint32_t *line, uint
 /* Fields begun since the timing was taken, the present one included; 0 while the head is off. */
 uint64_t ras_head_fields(const struct ras_head *head, uint64_t t);
 
+/* A row of the picture as the buffer, base, pitch, format and look-up table are now, H_VISIBLE pixels
+ * 00RRGGBB; in the overscan colour beyond the buffer. `colour` has room for 7 more. */
+void ras_head_pixels(const struct ras_head *head, uint32_t row, uint32_t *colour);
+
 /* All but the buffer, which is the caller's to save; hostile when loaded. The caller checks that
  * ras_head_next() is not before its time and that the levels of the interrupt wires, which are not
  * called, are those it has. A head whose loading failed is as after

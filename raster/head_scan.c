@@ -91,6 +91,17 @@ static void draw(struct ras_head *head, const struct content *c, struct crt_scan
     head->desc.wires.line(head->desc.wires.ctx, line);
 }
 
+void ras_head_pixels(const struct ras_head *head, uint32_t row, uint32_t *colour)
+{
+    uint32_t at, visible = head->timing.h.visible;
+    if (ras_row_address(head, row, &at)) {
+        ras_read_pixels(head->latch.format, head->desc.buffer + at, visible, head->lut, colour);
+        return;
+    }
+    for (uint32_t x = 0; x < visible; x++)
+        colour[x] = head->overscan;
+}
+
 void ras_scan(struct ras_head *head, uint64_t begin)
 {
     struct content c;

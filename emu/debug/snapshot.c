@@ -23,7 +23,7 @@ void vm_snapshot_sum(const uint8_t *bytes, size_t size, uint8_t sum[VM_SNAPSHOT_
     sha256_digest(&sha, VM_SNAPSHOT_SUM, sum);
 }
 
-static void tube_state(struct crt_tube *tube, struct crt_state *s)
+static void tube_state(struct crt_tube *tube, const char *no_light, struct crt_state *s)
 {
     bool light = tube != NULL;
     crt_state_bool(s, &light);
@@ -32,15 +32,17 @@ static void tube_state(struct crt_tube *tube, struct crt_state *s)
     else if (light && tube)
         crt_tube_state(tube, s);
     else if (tube)
-        crt_state_fail(s,
-                       "it holds no light of a tube that is looked at here: it was made headless, "
-                       "or with another --view");
+        crt_state_fail(s, no_light);
 }
 
 void vm_rig_state(struct vm_rig *rig, struct crt_state *s)
 {
-    for (int h = 0; h < VM_HEADS; h++)
-        tube_state(rig->tube[h], s);
+    tube_state(
+        rig->tube[VM_VECTOR],
+        "it holds no light of the vector tube, as it was made headless or with --view raster", s);
+    tube_state(
+        rig->tube[VM_RASTER],
+        "it holds no light of the raster tube, as it was made headless or with --view vector", s);
     vm_machine_state(rig->machine, s);
 }
 

@@ -146,7 +146,9 @@ static void check_settings(struct vm_settings_options *o)
         require(m.timing.fetch_ps > 0 && m.timing.fetch_ps <= CRT_PS_PER_S);
         struct vm_tubes t = vm_settings_tubes(&s, s.view);
         for (int h = 0; h < VM_HEADS; h++)
-            require(t.desc[h].grid.cols > 0 && t.desc[h].grid.rows > 0 && t.desc[h].epoch.num > 0);
+            if (t.heads >> h & 1)
+                require(t.desc[h].grid.cols > 0 && t.desc[h].grid.rows > 0 &&
+                        t.desc[h].epoch.num > 0);
     }
     vm_settings_free(&s);
 }

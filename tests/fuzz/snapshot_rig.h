@@ -155,8 +155,9 @@ static void open_rig(struct vm_rig *rig, bool with_tube)
     struct crt_screen screen = crt_tube_screen(&settings.monitor[VM_VECTOR].row);
     float x, y;
     crt_screen_to_mm(&screen, 69, 206, &x, &y); /* a drawn line just comes in */
-    tube.no_reuse = true;
-    tube.grid = crt_grid_closeup((double)x, (double)y, tube.grid.cell_mm * COLS, COLS, ROWS);
+    struct crt_tube_desc *tube = &tubes.desc[VM_VECTOR];
+    tube->grid = crt_grid_closeup((double)x, (double)y, tube->grid.cell_mm * COLS, COLS, ROWS);
+    tube->no_reuse = true;
     REQUIRE(vm_rig_open(rig, &settings, &input, DF_TIMING_VALUE, with_tube ? &tubes : NULL, &err));
     rig->machine->dpu.desc.beam.offer = pen;
 }
@@ -199,13 +200,13 @@ static void give_colours(struct crt_tube_row *row)
 static void set_up(bool with_firmware)
 {
     struct crt_error err;
-    settings = (struct vm_settings){.row = *crt_tube_row_find("VR17"),
-                                    .phosphor = *crt_phosphor_find("P7"),
-                                    .tick = {1000, 1},
-                                    .knobs = {0, 1, 0},
-                                    .memory_bytes = 4096,
-                                    .personality = DF_VS60,
-                                    .threads = 1};
+    settings = (struct vm_settings){
+        .tick = {1000, 1}, .memory_bytes = 4096, .personality = DF_VS60, .threads = 1};
+    settings.monitor[VM_VECTOR] =
+        (struct vm_monitor){*crt_tube_row_find("VR17"), *crt_phosphor_find("P7"), {0, 1, 0}};
+    settings.monitor[VM_RASTER] =
+        (struct vm_monitor){*crt_tube_row_find("MONO12"), *crt_phosphor_find("P4"), {0, 1, 0}};
+    REQUIRE(ras_mode_parse("640x480@60", &settings.timing, &err));
     give_colours(&settings.monitor[VM_VECTOR].row);
     strcpy(input.name, "fuzz");
     REQUIRE(df_program_init(&input.program, &err));
