@@ -20,7 +20,7 @@
 
 #include "raster/head.h"
 
-#define MAX_EVENTS 3000u /* in all: an input may ask for hours */
+#define MAX_EVENTS 400u /* in all: an input may ask for hours */
 
 #define CHECK(condition)                                                                           \
     do {                                                                                           \
