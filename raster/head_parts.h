@@ -53,10 +53,10 @@ bool ras_row_address(const struct ras_head *head, uint32_t row, uint32_t *at);
 bool ras_format_exists(uint32_t format);
 /* Bytes that `count` pixels take. */
 uint32_t ras_format_bytes(uint32_t format, uint32_t count);
-/* `count` pixels as 00RRGGBB; up to 7 more of `colour` are overwritten. */
+/* `count` pixels, at least one, as xxRRGGBB; up to 7 more of `colour` are overwritten. */
 void ras_read_pixels(uint32_t format, const uint8_t *from, uint32_t count,
                      const uint32_t lut[VIDEO_LUT_ENTRIES], uint32_t *colour);
-/* Drives of guns from 00RRGGBB. */
+/* Drives of guns from xxRRGGBB. */
 void ras_drive_guns(const uint32_t *colour, uint32_t count, uint8_t *red, uint8_t *green,
                     uint8_t *blue);
 void ras_drive_luma(const uint32_t *colour, uint32_t count, uint8_t *luma);

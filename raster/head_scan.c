@@ -78,8 +78,9 @@ static void draw(struct ras_head *head, const struct content *c, struct crt_scan
 {
     uint32_t colour[RAS_MAX_DOTS + 8];
     uint32_t visible = head->timing.h.visible;
-    fill(head, c->edge, 0, line->dots);
+    fill(head, c->edge, 0, c->pixels ? c->left : line->dots);
     if (c->pixels) {
+        fill(head, c->edge, c->left + visible, c->right);
         ras_read_pixels(head->latch.format, head->desc.buffer + c->at, visible, head->lut, colour);
         drive(head, colour, visible, (uint32_t)c->left);
     }

@@ -15,6 +15,15 @@ static struct ras_timing progressive(const struct libxcvt_mode_info *m)
     };
 }
 
+static void correct_sync(struct ras_timing *t)
+{
+    uint32_t pulse = t->h.total * 8 / 100 / CELL * CELL;
+    t->h.sync_start = t->h.sync_end - (pulse ? pulse : CELL);
+    bool is_15_9 = t->h.visible * 9 == t->v.visible * 15;
+    if (is_15_9 && t->v.sync_end - t->v.sync_start == 10) /* the pulse of unknown ratios */
+        t->v.sync_end -= 3;
+}
+
 /* Lines of a field to lines of the frame, and the odd line; see the header. */
 static struct ras_timing interlace(struct ras_timing t)
 {
@@ -43,7 +52,9 @@ bool ras_cvt(uint32_t width, uint32_t height, double fields_hz, bool interlaced,
         libxcvt_gen_mode_info((int)width, (int)height, (float)rate, false, interlaced);
     if (!m)
         return crt_fail(err, "libxcvt has no mode of %ux%u at %g Hz", width, height, fields_hz);
-    *timing = interlaced ? interlace(progressive(m)) : progressive(m);
+    struct ras_timing t = progressive(m);
     free(m);
+    correct_sync(&t);
+    *timing = interlaced ? interlace(t) : t;
     return true;
 }

@@ -6,6 +6,10 @@
  * Interlaced: libxcvt gives the porch before vertical sync and the pulse in lines of a field, where
  *             all else is in lines of the frame, drops the half line of a field from the total, and
  *             forgets the polarities. All this is put right.
+ * Sync:       libxcvt makes the horizontal pulse a cell too short where 8 % of the line is a whole number
+ *             of cells, and takes 15:9 for an aspect ratio CVT knows only at heights that are multiples
+ *             of 9 (10 lines of vertical sync instead of 7). Both are put right; the lines go to the
+ *             back porch.
  * Units:      dots, lines; fields a second.
  * Ownership:  plain values.
  * Errors:     one sentence for what CVT cannot do: widths that are no multiple of its cell of 8 dots,
