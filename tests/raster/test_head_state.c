@@ -54,7 +54,7 @@ static struct walker open_walker(uint64_t seed, uint8_t *buffer)
 
 static void attach(struct walker *w)
 {
-    w->r->head.desc.wires = (struct ras_wires){w, hash_line, hash_irq, hash_retime};
+    w->r->head.desc.wires = (struct ras_wires){w, hash_line, hash_irq, hash_retime, NULL};
 }
 
 static void write_at_random(struct walker *w, uint32_t offset, uint32_t value)
