@@ -6,7 +6,7 @@
 
 /* Sides of the table: multiples of 6, so that the patterns of the colours, a third of the period
  * apart (a sixth of two columns), are the same texels. */
-#define LEAST_SIDE 96
+#define LEAST_SIDE 192
 #define MOST_SIDE  768
 
 void crt_glass_pattern_period(const struct crt_mask *mask, double *width_mm, double *height_mm)
@@ -36,11 +36,12 @@ double crt_glass_mask_depth(const struct crt_mask *mask, double pixel_mm)
     return t * t * (3 - 2 * t);
 }
 
-/* About 16 texels a pixel at the scale where the mask begins to show, and 6 or more beyond. */
+/* Some 30 texels a pixel at the scale where the mask begins to show, and 12 or more beyond, until the
+ * pixels are a hundredth of the period. */
 static int side_for(double period_mm, double pixel_mm)
 {
     int side = LEAST_SIDE;
-    while (side < MOST_SIDE && side * pixel_mm < 6 * period_mm)
+    while (side < MOST_SIDE && side * pixel_mm < 12 * period_mm)
         side *= 2;
     return side;
 }
