@@ -54,6 +54,8 @@ enum {
     GL_TEXTURE_WRAP_T = 0x2803,
     GL_RGBA8 = 0x8058,
     GL_RGBA16 = 0x805B,
+    GL_RGBA32F = 0x8814,
+    GL_REPEAT = 0x2901,
     GL_CLAMP_TO_EDGE = 0x812F,
     GL_R32F = 0x822E,
     GL_RG32F = 0x8230,

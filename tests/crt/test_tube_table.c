@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "crt/tube_table.h"
+#include "raster/mode.h"
 
 /* Vector tubes, then raster tubes. */
 static const char *const names[] = {"VR17",    "VR14",   "LAB31",    "RADAR7", "TYPE30", "PENET17",
@@ -127,7 +128,7 @@ static void raster_figures_agree_with_their_mode(void **state)
         {"SLOT14", "640x480@60", 3, 31.469, 59.940, 25.175, 640. / 800 * 480 / 525, 480},
         {"GRILLE17", "1280x1024@60", 3, 63.981, 60.020, 108, 1280. / 1688 * 1024 / 1066, 1024},
         {"MONO12", "640x480@60", 1, 31.469, 59.940, 25.175, 640. / 800 * 480 / 525, 480},
-        {"TV12M", "525/60i", 1, 15.734, 59.940, 14.318, 52.66 / 63.556 * 483 / 525, 241.5},
+        {"TV12M", "525/60i", 1, 15.734, 59.940, 13.5, 720. / 858 * 480 / 525, 240},
     };
     for (size_t i = 0; i < sizeof want / sizeof want[0]; i++) {
         const struct crt_tube_row *r = crt_tube_row_find(want[i].tube);
@@ -146,6 +147,27 @@ static void raster_figures_agree_with_their_mode(void **state)
         assert_true(r->spot.value < 1.75 * r->height.value / want[i].lines);
         /* The amplifier passes the dots of the mode: two dots a cycle. */
         assert_true(r->bandwidth.value > 0.3 * want[i].mhz);
+    }
+}
+
+/* The same by the head's own table of modes: the tube follows its mode, and its light is that of it. */
+static void raster_tubes_follow_their_mode(void **state)
+{
+    (void)state;
+    size_t n;
+    const struct crt_tube_row *row = crt_tube_rows(&n);
+    for (size_t i = 0; i < n; i++, row++) {
+        struct ras_timing t;
+        struct crt_error err;
+        if (row->kind != CRT_RASTER_TUBE)
+            continue;
+        if (!ras_mode_parse(row->mode, &t, &err))
+            fail_msg("%s: %s", row->name, err.text);
+        struct ras_monitor monitor = ras_monitor_of(row);
+        if (!ras_monitor_follows(&monitor, &t, row->name, &err))
+            fail_msg("%s", err.text);
+        double duty = (double)t.h.visible * t.v.visible / ((double)t.h.total * t.v.total);
+        assert_true(fabs(row->field_duty.value / duty - 1) < 1e-9);
     }
 }
 
@@ -267,6 +289,7 @@ int main(void)
         cmocka_unit_test(figures_as_published),
         cmocka_unit_test(vector_figures_agree_with_each_other),
         cmocka_unit_test(raster_figures_agree_with_their_mode),
+        cmocka_unit_test(raster_tubes_follow_their_mode),
         cmocka_unit_test(grid_resolves_the_smallest_spot),
         cmocka_unit_test(check_finds_impossible_figures),
         cmocka_unit_test(check_finds_contradictions),
