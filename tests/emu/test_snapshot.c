@@ -73,9 +73,9 @@ static void try_program(const char *path, uint64_t seed, int times, uint64_t spa
 static void programs_go_on_from_any_instant(void **state)
 {
     (void)state;
-    static const char *const paths[] = {"roms/lander.df",        "roms/radar.df", "roms/spin.df",
-                                        "roms/charset.df",       "roms/rose.df",  "roms/growing.df",
-                                        "tests/programs/star.df"};
+    static const char *const paths[] = {
+        "roms/lander.df", "roms/radar.df",   "roms/spin.df",           "roms/charset.df",
+        "roms/rose.df",   "roms/growing.df", "tests/programs/star.df", "roms/unsorted.df"};
     struct kinds kinds = {.stroke = 0};
     for (size_t i = 0; i < COUNT(paths); i++)
         try_program(paths[i], 100 + i, 3, CRT_PS_PER_S / 5, &kinds);
