@@ -454,9 +454,8 @@ static void other_tubes_ignore_levels(void **state)
     b = a;
     for (int i = 0; i < b.count; i++)
         b.stroke[i].level = CRT_LEVEL_ONLY;
-    for (int i = 1; i < a.count; i++) /* but strokes of a vector have one level */
-        if (a.stroke[i].t0 == a.stroke[i - 1].t1)
-            a.stroke[i].level = a.stroke[i - 1].level;
+    for (int i = 0; i < a.count; i++)
+        a.stroke[i].level = (uint32_t)i % CRT_LEVELS; /* also within a vector */
     expose(&desc, &a, TICK / 3, 2 * TICK, &films[0]);
     expose(&desc, &b, TICK / 3, 2 * TICK, &films[1]);
     for (int c = 0; c < 2; c++)
