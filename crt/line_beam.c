@@ -178,7 +178,7 @@ static struct crt_line_spot *new_spot(double sigma_mm, double pitch_mm)
 
 static void free_spot(struct crt_line_spot *spot)
 {
-    for (int i = 0; spot && i < CRT_LEVELS; i++)
+    for (int i = 0; spot && i < CRT_SIGMA_LEVELS; i++)
         free(spot->level[i].kernel);
     free(spot);
 }
@@ -227,7 +227,7 @@ static struct origin origin_of(const struct crt_line_beams *beams,
 static int level_of(double ratio)
 {
     double n = floor(crt_log(ratio) * CRT_LEVEL_STEPS + 0.5) + CRT_LEVEL_BASE;
-    return (int)fmin(fmax(n, 0), CRT_LEVELS - 1);
+    return (int)fmin(fmax(n, 0), CRT_SIGMA_LEVELS - 1);
 }
 
 /* Columns and dots of a gun that have to do with each other. */

@@ -35,9 +35,9 @@
 #define CRT_LINE_SEG   8   /* columns of one sigma */
 #define CRT_LINE_ANCHOR                                                                            \
     32 /* columns between which what varies over the screen is a straight line */
-#define CRT_LEVELS      8192 /* of sigma: e^(n/CRT_LEVEL_STEPS) */
-#define CRT_LEVEL_STEPS 2000.0
-#define CRT_LEVEL_BASE  2048 /* the level of the spot in the centre of the screen */
+#define CRT_SIGMA_LEVELS 8192 /* of sigma: e^(n/CRT_LEVEL_STEPS) */
+#define CRT_LEVEL_STEPS  2000.0
+#define CRT_LEVEL_BASE   2048 /* the level of the spot in the centre of the screen */
 
 /* 32768 in a kernel is 1; 30000 in a line's light is the current of its brightest dot. */
 #define CRT_KERNEL_BITS 15
@@ -55,7 +55,7 @@ struct crt_line_spot {
     double sigma_mm;   /* in the centre */
     double sigma_dots; /* the same, in dots */
     int phase_bits;
-    struct crt_line_level level[CRT_LEVELS]; /* made when first needed */
+    struct crt_line_level level[CRT_SIGMA_LEVELS]; /* made when first needed */
 };
 
 /* Where the columns lie among the dots, in the middle of one band of the screen, for each gun. */

@@ -243,8 +243,8 @@ bool crt_plan_is_rested(const struct crt_entry *at, size_t left, uint64_t from, 
     return a->t0 >= from && c->t1 <= to && a->t1 == b->t0 && b->t1 == c->t0 &&
            at_rest(a, b->x0, b->y0) && at_rest(c, b->x1, b->y1) &&
            at[0].sigma_mm == at[1].sigma_mm && at[2].sigma_mm == at[1].sigma_mm &&
-           at[0].power == at[1].power && at[2].power == at[1].power && a->level == b->level &&
-           c->level == b->level && dx * dx + dy * dy > at[1].sigma_mm * at[1].sigma_mm;
+           at[0].power == at[1].power && at[2].power == at[1].power &&
+           dx * dx + dy * dy > at[1].sigma_mm * at[1].sigma_mm;
 }
 
 /* The share of the three strokes' light, as a weight for the moving one. While the spot rests a straight line

@@ -81,7 +81,7 @@ void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid
                         uint64_t from, uint64_t to, struct crt_receiver *receivers, int count);
 
 /* A spot that rests, moves and rests again, delivered as three strokes: whether entries at[0…2] are that,
- * wholly between `from` and `to`. */
+ * wholly between `from` and `to`. With the same power and sigma they have the same beam voltage. */
 bool crt_plan_is_rested(const struct crt_entry *at, size_t left, uint64_t from, uint64_t to);
 
 typedef void crt_plan_emit(void *context, const struct crt_piece_plan *piece);

@@ -105,6 +105,7 @@ struct df_usage {
     uint64_t moves;      /* beam-off moves */
     uint64_t strokes;    /* committed */
     uint64_t lit_ps;     /* with the beam on */
+    uint64_t colours;    /* changes of colour */
 };
 
 struct df_dpu {

@@ -66,6 +66,7 @@ static void set_colour(struct df_dpu *dpu, unsigned colour)
     if (colour == dpu->colour)
         return;
     dpu->colour = colour;
+    dpu->usage.colours++;
     df_dpu_schedule(dpu, dpu->desc.timing.colour_switch_ps, 0, &t0, &t1);
 }
 

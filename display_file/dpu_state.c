@@ -34,6 +34,7 @@ static void running_state(struct df_dpu *dpu, struct crt_state *s)
     crt_state_u64(s, &dpu->usage.moves);
     crt_state_u64(s, &dpu->usage.strokes);
     crt_state_u64(s, &dpu->usage.lit_ps);
+    crt_state_u64(s, &dpu->usage.colours);
 }
 
 static void registers_state(struct df_dpu *dpu, struct crt_state *s)

@@ -44,6 +44,12 @@ sort -u "$work/unsorted.strokes" | comm -3 - "$work/colours.all" >"$work/said"
 [ "$(wc -l <"$work/colours.all")" -gt 4000 ] && [ ! -s "$work/said" ]
 report $? "both draw the same picture"
 
+"$KINESCOPE" trace roms/unsorted.df --summary >"$work/said" 2>&1
+grep -qE '^ *colours +92 a refresh, with the beam off for 9\.200 ms' "$work/said"
+report $? "the summary tells"
+"$KINESCOPE" trace roms/lander.df --summary >"$work/said" 2>&1
+grep -q strokes "$work/said" && ! grep -q colours "$work/said"
+report $? "but not where there are none"
 fits() { "$KINESCOPE" trace "roms/$1.df" --summary --for 0.2s >"$work/said" 2>&1; }
 fits colours
 grep -q 'the refresh fits' "$work/said" && grep -qE '^ *refresh rate +60 Hz' "$work/said"

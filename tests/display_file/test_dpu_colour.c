@@ -78,6 +78,7 @@ static void the_beam_is_off_meanwhile(void **state)
     assert_int_equal(r->count, 2);
     assert_int_equal(r->strokes[1].t0 - r->strokes[0].t1, FETCH + SWITCH + 2 * FETCH + 1 * US);
     assert_int_equal(r->dpu.usage.lit_ps, 2 * US);
+    assert_int_equal(r->dpu.usage.colours, 1);
 }
 
 static void without_a_switch_time_it_costs_nothing(void **state)
@@ -89,6 +90,7 @@ static void without_a_switch_time_it_costs_nothing(void **state)
     RUN(r, RED, GREEN, RED, YELLOW);
     assert_int_equal(r->dpu.t, 5 * FETCH);
     assert_int_equal(r->dpu.colour, DF_COLOUR_YELLOW);
+    assert_int_equal(r->dpu.usage.colours, 4);
 }
 
 /* Every instruction takes the average, also those that change the colour. */
@@ -149,6 +151,7 @@ static void a_vt11_knows_no_colours(void **state)
     for (size_t i = 0; i < 3; i++)
         assert_int_equal(r->strokes[i].level, CRT_LEVEL_ONLY);
     assert_int_equal(r->dpu.colour, DF_COLOUR_GREEN);
+    assert_int_equal(r->dpu.usage.colours, 0);
     assert_int_equal(r->dpu.step, 9);
     assert_int_equal(scr(), 0);
 }
@@ -210,6 +213,7 @@ static void a_snapshot_keeps_the_colour(void **state)
     RUN(r, RED);
     assert_true(loaded(&s));
     assert_int_equal(r->dpu.colour, DF_COLOUR_ORANGE);
+    assert_int_equal(r->dpu.usage.colours, 1);
     uint64_t before = r->dpu.t;
     RUN(r, ORANGE);
     assert_int_equal(r->dpu.t - before, 2 * FETCH);

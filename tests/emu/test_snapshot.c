@@ -170,7 +170,7 @@ static void the_bytes_are_the_same_everywhere(void **state)
 {
     (void)state;
     static const char recorded[] =
-        "ddca1cd344057d01cb840f2367fa4249b23e7c4e58b834d21f35aa0c92971e86";
+        "f43fcf2457ca33a1a6647b7cb679b6895e8e56bd5992a0aac14299037ef06667";
     static const char digits[] = "0123456789abcdef";
     struct snap_run *a = snap_open("random7", true, &snap_plain);
     char hex[2 * VM_SNAPSHOT_SUM + 1] = "";
