@@ -7,7 +7,7 @@
  *             525/60i mode. Interlaced: vertical figures are lines of the whole frame; total is odd,
  *             so that the second field begins in the middle of a line.
  * Units:      dots, lines, Hz.
- * Sources:    VESA Display Monitor Timing Standard 1.0 rev. 13; CVT 1.2 by libxcvt; for 525/60i see
+ * Sources:    VESA Display Monitor Timing Standard 1.0 rev. 13; VESA CVT by libxcvt; for 525/60i see
  *             mode_table.c.
  * Ownership:  plain values.
  * Errors:     one sentence, with the figures.

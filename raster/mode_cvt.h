@@ -1,6 +1,6 @@
 /* mode_cvt.h — timings by formula: VESA CVT with normal blanking, as libxcvt computes it.
  *
- * Models:     CVT 1.2 without margins, negative horizontal and positive vertical sync. libxcvt works in
+ * Models:     CVT without margins, negative horizontal and positive vertical sync. libxcvt works in
  *             floats, which IEEE 754 makes the same everywhere but where the library was built with
  *             fused multiply-add; its results are whole dots, lines and quarters of a megahertz.
  * Interlaced: libxcvt gives the porch before vertical sync and the pulse in lines of a field, where

@@ -10,7 +10,7 @@
  * 525/60p: SMPTE 293M and CTA-861: the same lines, all in each frame, at twice the line rate. */
 #include "raster/mode.h"
 
-#define DMT "VESA DMT 1.0 rev. 13"
+#define DMT "VESA DMT 1.0 rev. 13,"
 
 #define N false
 #define P true
