@@ -114,6 +114,11 @@ void video_on(void)
     write(VIDEO_CONTROL, VIDEO_CONTROL_ON);
 }
 
+void video_off(void)
+{
+    write(VIDEO_CONTROL, 0);
+}
+
 struct canvas video_page(const struct canvas *canvas, unsigned n)
 {
     struct canvas page = *canvas;

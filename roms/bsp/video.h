@@ -38,7 +38,7 @@ struct video_timing {
 /* The timing that runs, or would when switched on. All 0 without a head. */
 struct video_timing video_timing(void);
 /* Takes another; false: it is impossible, or the monitor cannot follow it, and the old one goes on.
- * Call video_open afterwards: the size is another. */
+ * Call it while the head is off, and video_open afterwards: the size is another. */
 bool video_set_timing(const struct video_timing *timing);
 
 /* Lines and fields a second, in thousandths. */
@@ -48,9 +48,11 @@ uint32_t video_field_mhz(const struct video_timing *timing);
 /* ---- pictures ---------------------------------------------------------------------------------- */
 
 /* Page 0 of the present mode, `bits` a pixel: 1, 2, 4, 8 (by the look-up table), 16, 32. It is shown
- * from now on; the screen stays black until video_on. */
+ * from the next retrace on, or from video_on on. */
 struct canvas video_open(unsigned bits);
+/* Sync and picture; a first field begins now. Off: the monitor has no signal and is dark. */
 void video_on(void);
+void video_off(void);
 /* The n-th page: pages of a mode lie one after the other, as many as have room. */
 struct canvas video_page(const struct canvas *canvas, unsigned n);
 /* Shows it from the next retrace on. */

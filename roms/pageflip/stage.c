@@ -68,9 +68,14 @@ static void stretch(const struct pageflip_page *page, int from, int length, uint
 
 void pageflip_bars(struct pageflip_page *page, int swept)
 {
-    int width = page->bars.width / BAR_PARTS;
+    const struct pageflip_rect *r = &page->bars;
+    int width = r->width / BAR_PARTS;
+    if (page->swept >= 0 && swept - page->swept > width) { /* long ago: begin anew */
+        canvas_fill(&page->canvas, r->x, r->y, r->width, r->height, PAGEFLIP_GROUND);
+        page->swept = -1;
+    }
     for (int i = 0; i < BAR_PARTS; i += 2) {
-        int at = swept + i * page->bars.width / BAR_PARTS;
+        int at = swept + i * r->width / BAR_PARTS;
         stretch(page, at, width, PAGEFLIP_BAR);
         if (page->swept >= 0) /* what it leaves behind */
             stretch(page, at - (swept - page->swept), swept - page->swept, PAGEFLIP_GROUND);
