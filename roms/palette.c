@@ -103,7 +103,7 @@ static void rod(struct palette *p, int middle, int half, uint32_t colour)
 static void band(struct palette *p)
 {
     static const uint32_t metals[BARS] = {0xFF4040, 0xFFC020, 0x50E050, 0x40A0FF, 0xD060FF};
-    int half = p->band_rows / 9;
+    int half = p->band_rows / 14;
     for (int i = 0; i < p->band_rows; i++)
         p->rows[i] = (uint32_t)(i * 40 / p->band_rows); /* dark blue, lighter below */
     for (int i = 0; i < BARS; i++) {

@@ -4,7 +4,7 @@
 #   roms/bench/NAME.c              a benchmark      -> roms/bench/NAME.elf
 #                                  … and for comparison -> tests/bench/user/NAME.elf, the same object
 #                                  code as a program of a Linux user
-#   tests/roms/NAME.c              a program for tests -> tests/roms/NAME.elf
+#   tests/roms/NAME.c              a program for tests -> tests/roms/NAME.elf (test_*.c are tests)
 #   roms/bsp/, roms/raster/        board support and drawing, an archive: programs take what they use
 #
 # The same sources and tool versions (roms/TOOLCHAIN) give the same bytes wherever the tree lies:
@@ -31,7 +31,7 @@ ROM_FOLDERS  := $(filter-out bsp raster bench pictures,$(patsubst roms/%/,%,$(so
 ROM_PROGRAMS := $(sort $(ROM_FOLDERS) $(patsubst roms/%.c,%,$(wildcard roms/*.c)))
 ROM_BENCHES  := $(patsubst roms/%.c,%,$(sort $(filter-out roms/bench/main.c,$(wildcard roms/bench/*.c))))
 ROM_USERS    := $(ROM_BENCHES:bench/%=tests/bench/user/%.elf)
-ROM_TESTS    := $(sort $(wildcard tests/roms/*.c))
+ROM_TESTS    := $(sort $(filter-out tests/roms/test_%,$(wildcard tests/roms/*.c)))
 ROM_IMAGES   := $(patsubst %,roms/%.elf,$(ROM_PROGRAMS) $(ROM_BENCHES))
 ROM_HEADERS  := $(wildcard roms/*/*.h)
 

@@ -4,10 +4,11 @@
  *      kinescope run roms/pageflip.elf [--console]
  *
  * Two seconds each by turns. Without sync there is one page. The program draws on it 73 times a
- * second, wherever the beam is: above the beam's row the screen still shows the old picture, below
- * it the new one. A red mark points at that row; the bars are broken there, the solid is seen half
- * drawn. With sync there are two: what is drawn on one that is not shown is shown from the next
- * retrace on, and nothing is ever broken.
+ * second, wherever the beam is. It is faster than the beam: rows above the one where it overtakes
+ * the beam have just been shown as they were, those below are shown as they are now. A red mark hangs
+ * from that row; the bars are broken there, and the solid is seen half drawn. With sync there are two
+ * pages: what is drawn on the one that is not shown is shown from the next retrace on, and nothing is
+ * ever broken.
  *
  * Keys: t changes over, and then it stays; q ends the program, as does the end of input.
  * Marks: n when the n-th turn's first picture is drawn; odd ones are without sync.
@@ -31,10 +32,10 @@ struct show {
     uint32_t turns;
 };
 
-static void draw(struct pageflip_page *page)
+static void draw(struct pageflip_page *page, bool look)
 {
     uint64_t now = timer_now();
-    pageflip_bars(page, (int)(now * SPEED / TIMER_HZ));
+    pageflip_bars(page, (int)(now * SPEED / TIMER_HZ), look);
     pageflip_solid(page, TURN_RATE * (float)(now / 100) / (float)(TIMER_HZ / 100));
 }
 
@@ -42,15 +43,14 @@ static void draw(struct pageflip_page *page)
 static void unsynced(struct show *show)
 {
     struct pageflip_page *page = &show->page[show->shown];
-    pageflip_mark(page, (int)video_beam_row());
-    draw(page);
+    draw(page, true);
     timer_sleep(TIMER_HZ / UNSYNCED);
 }
 
 static void synced(struct show *show)
 {
     show->shown = 1 - show->shown;
-    draw(&show->page[show->shown]);
+    draw(&show->page[show->shown], false);
     video_show(&show->page[show->shown].canvas);
     video_wait_retrace();
 }
@@ -61,9 +61,9 @@ static void turn(struct show *show, bool to_synced)
     show->began = timer_now();
     for (int i = 0; i < 2; i++) {
         pageflip_text(&show->page[i], to_synced);
-        pageflip_mark(&show->page[i], -1);
+        pageflip_unmark(&show->page[i]);
     }
-    draw(&show->page[show->shown]);
+    draw(&show->page[show->shown], false);
     board_mark(++show->turns);
 }
 

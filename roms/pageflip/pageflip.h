@@ -42,10 +42,10 @@ void pageflip_colours(void);
 void pageflip_stage(struct pageflip_page *page, struct canvas canvas);
 void pageflip_text(struct pageflip_page *page, bool synced);
 
-/* The bars, `swept` pixels along. */
-void pageflip_bars(struct pageflip_page *page, int swept);
-/* A pointer beside the bars at a row; -1: none. */
-void pageflip_mark(struct pageflip_page *page, int row);
+/* The bars, `swept` pixels along, row by row from the top. With `look`, a mark is set beside the row
+ * where the drawing overtakes the beam: rows above it are seen as they were. */
+void pageflip_bars(struct pageflip_page *page, int swept, bool look);
+void pageflip_unmark(struct pageflip_page *page);
 /* An icosahedron turned by an angle, radians. */
 void pageflip_solid(const struct pageflip_page *page, float angle);
 

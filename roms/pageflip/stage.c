@@ -3,7 +3,7 @@
 #include "roms/bsp/video.h"
 #include "roms/raster/font.h"
 
-enum { MARGIN = 24, HEAD = 96, BAR_PARTS = 8 }; /* a bar is an eighth of the stage */
+enum { MARGIN = 24, HEAD = 96, BAR_PARTS = 8, MARK = 12 }; /* a bar is an eighth of the stage */
 
 void pageflip_colours(void)
 {
@@ -43,53 +43,76 @@ void pageflip_stage(struct pageflip_page *page, struct canvas canvas)
 void pageflip_text(struct pageflip_page *page, bool synced)
 {
     static const char *const heads[] = {"WITHOUT SYNC", "WITH SYNC"};
-    static const char *const lines[] = {
-        "drawn on the page that the beam shows, whenever the program gets to it",
-        "drawn on a page nobody sees, which is shown from the next retrace on"};
+    static const char *const lines[] = {"drawn on the page that is shown, wherever the beam is",
+                                        "drawn on a hidden page, shown from the next retrace on"};
     const struct canvas *c = &page->canvas;
     int scale = c->width >= 1000 ? 3 : 2, small = c->width >= 1000 ? 2 : 1;
     int x = MARGIN - 4;
     canvas_fill(c, 0, 0, c->width, HEAD, PAGEFLIP_GROUND);
     canvas_text(c, x, MARGIN - 4, scale, scale, PAGEFLIP_WHITE, heads[synced]);
-    if (small * FONT_WIDTH * 70 > c->width - 2 * x)
+    if (small * FONT_WIDTH * 54 > c->width - 2 * x)
         small = 1;
-    canvas_text(c, x, HEAD - FONT_HEIGHT * small + 4, small, small, PAGEFLIP_FRAME, lines[synced]);
+    canvas_text(c, x, HEAD - FONT_HEIGHT * small - 6, small, small, PAGEFLIP_FRAME, lines[synced]);
 }
 
-/* A stretch of the stage, which goes round: what is beyond its right edge is at the left. */
-static void stretch(const struct pageflip_page *page, int from, int length, uint32_t colour)
+/* A stretch of a row of the stage, which goes round: beyond its right edge is its left one. */
+static void stretch(uint8_t *row, int width, int from, int length, uint8_t colour)
 {
-    const struct pageflip_rect *r = &page->bars;
-    from %= r->width;
-    int first = from + length > r->width ? r->width - from : length;
-    canvas_fill(&page->canvas, r->x + from, r->y, first, r->height, colour);
-    canvas_fill(&page->canvas, r->x, r->y, length - first, r->height, colour);
-}
-
-void pageflip_bars(struct pageflip_page *page, int swept)
-{
-    const struct pageflip_rect *r = &page->bars;
-    int width = r->width / BAR_PARTS;
-    if (page->swept >= 0 && swept - page->swept > width) { /* long ago: begin anew */
-        canvas_fill(&page->canvas, r->x, r->y, r->width, r->height, PAGEFLIP_GROUND);
-        page->swept = -1;
+    from = (from % width + width) % width;
+    for (int i = 0; i < length; i++) {
+        row[from] = colour;
+        if (++from == width)
+            from = 0;
     }
+}
+
+/* What changes in a row: the bars grow on one side and shrink on the other. */
+static void move_row(const struct pageflip_page *page, uint8_t *row, int swept)
+{
+    int width = page->bars.width, bar = width / BAR_PARTS, moved = swept - page->swept;
     for (int i = 0; i < BAR_PARTS; i += 2) {
-        int at = swept + i * r->width / BAR_PARTS;
-        stretch(page, at, width, PAGEFLIP_BAR);
-        if (page->swept >= 0) /* what it leaves behind */
-            stretch(page, at - (swept - page->swept), swept - page->swept, PAGEFLIP_GROUND);
+        int at = page->swept + i * width / BAR_PARTS;
+        stretch(row, width, at + bar, moved, PAGEFLIP_BAR);
+        stretch(row, width, at, moved, PAGEFLIP_GROUND);
+    }
+}
+
+static void mark(const struct pageflip_page *page, int row, uint32_t colour)
+{
+    for (int i = 0; i < MARK; i++)
+        canvas_fill(&page->canvas, page->bars.x - 6 - MARK + i, row + i, MARK - i, 1, colour);
+}
+
+/* From the beginning: all is dark. */
+static void first(struct pageflip_page *page, int swept)
+{
+    const struct pageflip_rect *r = &page->bars;
+    canvas_fill(&page->canvas, r->x, r->y, r->width, r->height, PAGEFLIP_GROUND);
+    page->swept = swept - r->width / BAR_PARTS;
+}
+
+void pageflip_bars(struct pageflip_page *page, int swept, bool look)
+{
+    const struct pageflip_rect *r = &page->bars;
+    if (page->swept < 0 || swept - page->swept > r->width / BAR_PARTS)
+        first(page, swept);
+    pageflip_unmark(page);
+    if ((int)video_beam_row() <= r->y)
+        look = false; /* the beam comes after us from the first row on */
+    for (int y = r->y; y < r->y + r->height; y++) {
+        if (look && (int)video_beam_row() <= y) {
+            look = false;
+            page->mark = y;
+            mark(page, y, PAGEFLIP_MARK);
+        }
+        move_row(page, page->canvas.pixels + (uint32_t)y * page->canvas.pitch + r->x, swept);
     }
     page->swept = swept;
 }
 
-void pageflip_mark(struct pageflip_page *page, int row)
+void pageflip_unmark(struct pageflip_page *page)
 {
-    const int size = 10, x = page->bars.x - 6;
     if (page->mark >= 0)
-        canvas_fill(&page->canvas, x - size, page->mark - size, size, 2 * size + 1,
-                    PAGEFLIP_GROUND);
-    page->mark = row < page->bars.y || row >= page->bars.y + page->bars.height ? -1 : row;
-    for (int i = 0; page->mark >= 0 && i < size; i++)
-        canvas_fill(&page->canvas, x - 1 - i, page->mark - i, 1, 2 * i + 1, PAGEFLIP_MARK);
+        mark(page, page->mark, PAGEFLIP_GROUND);
+    page->mark = -1;
 }
