@@ -111,7 +111,7 @@ int main(void)
     for (;;) {
         video_wait_retrace();
         int c = console_poll();
-        if (c == 'q' || c == CONSOLE_EOF)
+        if (c == 'q')
             return 0;
     }
 }

@@ -11,7 +11,7 @@
  * it: the same line rate, half the rows, each in every field. A computer monitor is shown the
  * 8514/A's 1024x768 interlaced, then the same size, or what it can, without.
  *
- * Keys: i changes over, and then it stays; q ends the program, as does the end of input.
+ * Keys: i changes over, and then it stays; q ends the program.
  * Marks: n when the n-th turn's picture is complete; odd ones are interlaced.
  */
 #include <stdbool.h>
@@ -179,7 +179,7 @@ int main(void)
     for (;;) {
         video_wait_retrace();
         int c = console_poll();
-        if (c == 'q' || c == CONSOLE_EOF)
+        if (c == 'q')
             return 0;
         show.stays = show.stays || c == 'i';
         if (c == 'i' || (!show.stays && timer_now() - show.began >= TURN))

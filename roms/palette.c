@@ -7,7 +7,7 @@
  * (line compare) and sets that index's colour for the row after it: more colours at once than the
  * table has entries.
  *
- * Keys: space stops and starts the colours; q ends the program, as does the end of input.
+ * Keys: space stops and starts the colours; q ends the program.
  * Marks: 1 when the picture is complete; from then on the pixels stay as they are.
  */
 #include <math.h>
@@ -188,7 +188,7 @@ int main(void)
         int c = console_poll();
         if (c == ' ')
             p.still = !p.still;
-        if (c == 'q' || c == CONSOLE_EOF)
+        if (c == 'q')
             return 0;
     }
 }

@@ -10,7 +10,7 @@
  * pages: what is drawn on the one that is not shown is shown from the next retrace on, and nothing is
  * ever broken.
  *
- * Keys: t changes over, and then it stays; q ends the program, as does the end of input.
+ * Keys: t changes over, and then it stays; q ends the program.
  * Marks: n when the n-th turn's first picture is drawn; odd ones are without sync.
  */
 #include "roms/bsp/board.h"
@@ -74,7 +74,7 @@ static bool keys(struct show *show)
         show->stays = true;
         turn(show, !show->synced);
     }
-    return c != 'q' && c != CONSOLE_EOF;
+    return c != 'q';
 }
 
 int main(void)

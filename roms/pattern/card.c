@@ -113,7 +113,7 @@ static void greys(const struct pattern *p, float y0, float y1)
     steps(p, (struct pattern_box){-4.7f, y0, 4.7f, y1}, colours, 11);
 }
 
-/* Near black: two, four and six per cent of the signal. With brightness right the first cannot be
+/* Near black: four, eight and twelve per cent of the signal. With brightness right the first cannot be
  * seen, the last can. */
 static void near_black(const struct pattern *p, float y0, float y1)
 {
@@ -121,7 +121,7 @@ static void near_black(const struct pattern *p, float y0, float y1)
     for (unsigned i = 1; i <= 3; i++) {
         float x = (float)i * 1.4f - 2.8f;
         within(p, (struct pattern_box){x - 0.45f, y0 + 0.15f, x + 0.45f, y1 - 0.15f},
-               pattern_grey(i * 255 / 50));
+               pattern_grey(i * 255 / 25));
     }
 }
 
@@ -164,7 +164,8 @@ static void circle(const struct pattern *p)
     near_black(p, 3.2f, 3.9f);
     within(p, (struct pattern_box){-RADIUS, 3.9f, RADIUS, 5.1f}, PATTERN_WHITE);
     pattern_screen_size(text);
-    pattern_label(p, 0, 4.375f, 1, PATTERN_BLACK, text);
+    pattern_fill(p, (struct pattern_box){-1.75f, 4.1f, 1.75f, 4.65f}, PATTERN_BLACK);
+    pattern_label(p, 0, 4.375f, 1, PATTERN_WHITE, text);
     canvas_ellipse(&p->canvas, p->x, p->y, RADIUS * p->cell_x, RADIUS * p->cell_y, PATTERN_WHITE);
 }
 

@@ -11,7 +11,7 @@
  *      r   resolution: wedges, stars and line pairs in both directions
  *      f   text all over: focus in the middle and in the corners
  *      w   white;  1, 2, 3   red, green, blue: purity, evenness;  k   black
- *      q   ends the program, as does the end of input
+ *      q   ends the program
  *
  * Cells of the grid are square and circles round on the glass in every mode.
  * Marks: n when the n-th picture is complete.
@@ -79,7 +79,7 @@ int main(void)
     for (;;) {
         video_wait_retrace();
         int c = console_poll();
-        if (c == 'q' || c == CONSOLE_EOF)
+        if (c == 'q')
             return 0;
         if (draw(&p, c))
             board_mark(++mark);

@@ -16,7 +16,7 @@ static void bar_row(const struct pattern *p, int y0, int y1, const uint32_t *col
 }
 
 /* SMPTE's: bars of 75 %; the same blue backwards; below −I, white, +Q and steps near black, which a
- * computer has above black only: 2, 4 and 6 %. */
+ * computer has above black only: 4, 8 and 12 %. */
 void pattern_bars(const struct pattern *p)
 {
     static const uint32_t top[] = {0xBFBFBF, 0xBFBF00, 0x00BFBF, 0x00BF00,
@@ -24,7 +24,7 @@ void pattern_bars(const struct pattern *p)
     static const uint32_t back[] = {0x0000BF, 0x000000, 0xBF00BF, 0x000000,
                                     0x00BFBF, 0x000000, 0xBFBFBF};
     static const uint32_t quadrature[] = {0x00214C, 0xFFFFFF, 0x32006A, 0x000000};
-    static const uint32_t pluge[] = {0x050505, 0x0A0A0A, 0x0F0F0F};
+    static const uint32_t pluge[] = {0x0A0A0A, 0x141414, 0x1E1E1E};
     const struct canvas *c = &p->canvas;
     int w = c->width, castle = c->height * 2 / 3, low = c->height * 3 / 4;
     bar_row(p, 0, castle, top, 7, 0, w);
