@@ -4,8 +4,8 @@
 #   roms/bench/NAME.c              a benchmark      -> roms/bench/NAME.elf
 #                                  … and for comparison -> tests/bench/user/NAME.elf, the same object
 #                                  code as a program of a Linux user
-#   tests/roms/NAME.c              a program for tests -> tests/roms/NAME.elf
-#   roms/bsp/                      board support, an archive: programs take what they use
+#   tests/roms/NAME.c              a program for tests -> tests/roms/NAME.elf (test_*.c are tests)
+#   roms/bsp/, roms/raster/        board support and drawing, an archive: programs take what they use
 #
 # The same sources and tool versions (roms/TOOLCHAIN) give the same bytes wherever the tree lies:
 # paths are mapped away, and what a build would tell of itself is stripped. Symbols stay.
@@ -26,12 +26,12 @@ ROM_LDFLAGS := -nostartfiles -T $(ROM_O)/link.ld -Wl,--gc-sections -Wl,--build-i
 ROM_PRINTF := -DPICOLIBC_INTEGER_PRINTF_SCANF
 ROM_PRINTF_tables := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 
-ROM_BSP      := $(sort $(wildcard roms/bsp/*.c))
-ROM_FOLDERS  := $(filter-out bsp bench pictures,$(patsubst roms/%/,%,$(sort $(dir $(wildcard roms/*/*.c)))))
+ROM_BSP      := $(sort $(wildcard roms/bsp/*.c roms/raster/*.c))
+ROM_FOLDERS  := $(filter-out bsp raster bench pictures,$(patsubst roms/%/,%,$(sort $(dir $(wildcard roms/*/*.c)))))
 ROM_PROGRAMS := $(sort $(ROM_FOLDERS) $(patsubst roms/%.c,%,$(wildcard roms/*.c)))
 ROM_BENCHES  := $(patsubst roms/%.c,%,$(sort $(filter-out roms/bench/main.c,$(wildcard roms/bench/*.c))))
 ROM_USERS    := $(ROM_BENCHES:bench/%=tests/bench/user/%.elf)
-ROM_TESTS    := $(sort $(wildcard tests/roms/*.c))
+ROM_TESTS    := $(sort $(filter-out tests/roms/test_%,$(wildcard tests/roms/*.c)))
 ROM_IMAGES   := $(patsubst %,roms/%.elf,$(ROM_PROGRAMS) $(ROM_BENCHES))
 ROM_HEADERS  := $(wildcard roms/*/*.h)
 
@@ -58,6 +58,9 @@ $(ROM_O)/%.o: roms/%.S roms/roms.mk
 $(ROM_O)/link.ld: roms/bsp/link.ld emu/memmap.h roms/roms.mk
 	@mkdir -p $(@D)
 	$(ROM_CROSS)gcc -E -P -x c -I. -o $@ $<
+
+# Pixels are worth the room that fast code takes.
+$(ROM_O)/raster/%.o: ROM_CFLAGS += -O2
 
 # Archive members without time or owner (D).
 $(ROM_O)/libbsp.a: $(ROM_BSP:roms/%.c=$(ROM_O)/%.o)

@@ -30,6 +30,11 @@ bool board_has_vector_head(void)
     return ask(IDENTITY_HEADS, 0) & 1;
 }
 
+bool board_has_raster_head(void)
+{
+    return ask(IDENTITY_HEADS, 0) & 2;
+}
+
 uint32_t board_version(void)
 {
     return ask(IDENTITY_VERSION, 0);

@@ -21,6 +21,7 @@
 /* True where the memory map is kinescope's; false on QEMU's "virt" board, for one. */
 bool board_is_knsc(void);
 bool board_has_vector_head(void);
+bool board_has_raster_head(void);
 /* The version of the memory map; 0 on another board. */
 uint32_t board_version(void);
 /* The nominal clock of the processor; 0: not known. */

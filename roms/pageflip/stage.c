@@ -1,0 +1,118 @@
+/* What stands still, and the bars. */
+#include "roms/pageflip/pageflip.h"
+#include "roms/bsp/video.h"
+#include "roms/raster/font.h"
+
+enum { MARGIN = 24, HEAD = 96, BAR_PARTS = 8, MARK = 12 }; /* a bar is an eighth of the stage */
+
+void pageflip_colours(void)
+{
+    video_set_colour(PAGEFLIP_GROUND, 0x000000);
+    for (unsigned i = 0; i < PAGEFLIP_SHADES; i++) {
+        unsigned level = 40 + i * 215 / (PAGEFLIP_SHADES - 1);
+        video_set_colour(PAGEFLIP_SHADE + i,
+                         level << 16 | level * 178 / 255 << 8 | level * 60 / 255);
+    }
+    video_set_colour(PAGEFLIP_WHITE, 0xFFFFFF);
+    video_set_colour(PAGEFLIP_FRAME, 0x7F7F7F);
+    video_set_colour(PAGEFLIP_BAR, 0x40C8E0);
+    video_set_colour(PAGEFLIP_MARK, 0xFF3030);
+}
+
+static void frame(const struct canvas *c, struct pageflip_rect r)
+{
+    canvas_frame(c, r.x - 4, r.y - 4, r.width + 8, r.height + 8, 1, PAGEFLIP_FRAME);
+}
+
+void pageflip_stage(struct pageflip_page *page, struct canvas canvas)
+{
+    int height = canvas.height - HEAD - 2 * MARGIN, y = HEAD + MARGIN;
+    int width = canvas.width - 4 * MARGIN; /* margins, and one between them */
+    *page = (struct pageflip_page){
+        .canvas = canvas,
+        .solid = {MARGIN, y, width * 2 / 5, height},
+        .bars = {MARGIN * 3 + width * 2 / 5, y, width * 3 / 5, height},
+        .swept = -1,
+        .mark = -1,
+    };
+    canvas_clear(&page->canvas, PAGEFLIP_GROUND);
+    frame(&page->canvas, page->solid);
+    frame(&page->canvas, page->bars);
+}
+
+void pageflip_text(struct pageflip_page *page, bool synced)
+{
+    static const char *const heads[] = {"WITHOUT SYNC", "WITH SYNC"};
+    static const char *const lines[] = {"drawn on the page that is shown, wherever the beam is",
+                                        "drawn on a hidden page, shown from the next retrace on"};
+    const struct canvas *c = &page->canvas;
+    int scale = c->width >= 1000 ? 3 : 2, small = c->width >= 1000 ? 2 : 1;
+    int x = MARGIN - 4;
+    canvas_fill(c, 0, 0, c->width, HEAD, PAGEFLIP_GROUND);
+    canvas_text(c, x, MARGIN - 4, scale, scale, PAGEFLIP_WHITE, heads[synced]);
+    if (small * FONT_WIDTH * 54 > c->width - 2 * x)
+        small = 1;
+    canvas_text(c, x, HEAD - FONT_HEIGHT * small - 6, small, small, PAGEFLIP_FRAME, lines[synced]);
+}
+
+/* A stretch of a row of the stage, which goes round: beyond its right edge is its left one. */
+static void stretch(uint8_t *row, int width, int from, int length, uint8_t colour)
+{
+    from = (from % width + width) % width;
+    for (int i = 0; i < length; i++) {
+        row[from] = colour;
+        if (++from == width)
+            from = 0;
+    }
+}
+
+/* What changes in a row: the bars grow on one side and shrink on the other. */
+static void move_row(const struct pageflip_page *page, uint8_t *row, int swept)
+{
+    int width = page->bars.width, bar = width / BAR_PARTS, moved = swept - page->swept;
+    for (int i = 0; i < BAR_PARTS; i += 2) {
+        int at = page->swept + i * width / BAR_PARTS;
+        stretch(row, width, at + bar, moved, PAGEFLIP_BAR);
+        stretch(row, width, at, moved, PAGEFLIP_GROUND);
+    }
+}
+
+static void mark(const struct pageflip_page *page, int row, uint32_t colour)
+{
+    for (int i = 0; i < MARK; i++)
+        canvas_fill(&page->canvas, page->bars.x - 6 - MARK + i, row + i, MARK - i, 1, colour);
+}
+
+/* From the beginning: all is dark. */
+static void first(struct pageflip_page *page, int swept)
+{
+    const struct pageflip_rect *r = &page->bars;
+    canvas_fill(&page->canvas, r->x, r->y, r->width, r->height, PAGEFLIP_GROUND);
+    page->swept = swept - r->width / BAR_PARTS;
+}
+
+void pageflip_bars(struct pageflip_page *page, int swept, bool look)
+{
+    const struct pageflip_rect *r = &page->bars;
+    if (page->swept < 0 || swept - page->swept > r->width / BAR_PARTS)
+        first(page, swept);
+    pageflip_unmark(page);
+    if ((int)video_beam_row() <= r->y)
+        look = false; /* the beam comes after us from the first row on */
+    for (int y = r->y; y < r->y + r->height; y++) {
+        if (look && (int)video_beam_row() <= y) {
+            look = false;
+            page->mark = y;
+            mark(page, y, PAGEFLIP_MARK);
+        }
+        move_row(page, page->canvas.pixels + (uint32_t)y * page->canvas.pitch + r->x, swept);
+    }
+    page->swept = swept;
+}
+
+void pageflip_unmark(struct pageflip_page *page)
+{
+    if (page->mark >= 0)
+        mark(page, page->mark, PAGEFLIP_GROUND);
+    page->mark = -1;
+}
