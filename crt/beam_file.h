@@ -6,12 +6,13 @@
  *      tube VR17                                tube row the millimetres belong to
  *      phosphor P39                             optional, overrides the row's
  *      tick 60/1                                sync ticks a second (num/den)
- *      s <t0_ps> <t1_ps> <x0> <y0> <x1> <y1> <drive> [<source>]
+ *      s <t0_ps> <t1_ps> <x0> <y0> <x1> <y1> <drive> [<source> [<level>]]
  *      end 516666666666                         optional: ps to which the recording is complete
  *
  * Positions:  mm from the screen centre, y up, printed with nine digits so that they read back
  *             to the same float; within CRT_BEAM_MAX_MM of the centre. Drive 0…1. Source: octal
- *             display-file address.
+ *             display-file address. Level: red, orange, yellow or green, the colour that a
+ *             penetration tube's beam voltage is set to; other tubes ignore it.
  * Order:      `beam 1` first, then tube, phosphor and tick in any order, then strokes in order of
  *             t0, not overlapping; `end` anywhere after the first line, once, normally last, when
  *             the writer knows it; strokes may begin after it. A reader refuses others with file

@@ -7,8 +7,9 @@
 #include <string.h>
 
 #include "crt/number_text.h"
+#include "crt/penetration.h"
 
-#define MAX_FIELDS 9 /* of a stroke with its source */
+#define MAX_FIELDS 10 /* of a stroke with its source and level */
 
 struct crt_beam_reader {
     FILE *in;
@@ -82,7 +83,8 @@ static bool split(struct crt_beam_reader *r, struct crt_error *err)
         if (!*at || *at == '#')
             return true;
         if (r->fields == MAX_FIELDS)
-            return fail_here(r, err, "too many fields; a stroke has 7 numbers and a source");
+            return fail_here(r, err,
+                             "too many fields; a stroke has 7 numbers, a source and a level");
         r->field[r->fields++] = at;
         at += strcspn(at, " \t");
         if (*at)
@@ -214,8 +216,8 @@ static bool take_stroke(struct crt_beam_reader *r, struct crt_stroke *stroke, st
 {
     struct crt_stroke s = {0};
     float *const position[4] = {&s.x0, &s.y0, &s.x1, &s.y1};
-    if (r->fields != 8 && r->fields != 9)
-        return fail_here(r, err, "a stroke is `s T0 T1 X0 Y0 X1 Y1 DRIVE [SOURCE]`");
+    if (r->fields < 8 || r->fields > 10)
+        return fail_here(r, err, "a stroke is `s T0 T1 X0 Y0 X1 Y1 DRIVE [SOURCE [LEVEL]]`");
     if (!take_times(r, &s, err))
         return false;
     for (int i = 0; i < 4; i++)
@@ -224,8 +226,11 @@ static bool take_stroke(struct crt_beam_reader *r, struct crt_stroke *stroke, st
                              r->field[3 + i], (double)CRT_BEAM_MAX_MM);
     if (!crt_float_read(r->field[7], &s.drive) || s.drive < 0.0f || s.drive > 1.0f)
         return fail_here(r, err, "`%.40s` is not a drive from 0 to 1", r->field[7]);
-    if (r->fields == 9 && !crt_octal_read(r->field[8], &s.source))
+    if (r->fields > 8 && !crt_octal_read(r->field[8], &s.source))
         return fail_here(r, err, "`%.40s` is not an octal display-file address", r->field[8]);
+    if (r->fields > 9 && (s.level = crt_level_named(r->field[9])) == CRT_LEVEL_ONLY)
+        return fail_here(r, err, "`%.40s` is not a level: red, orange, yellow or green",
+                         r->field[9]);
     r->last_t1 = s.t1;
     *stroke = s;
     return true;

@@ -4,6 +4,7 @@
 #include <inttypes.h>
 
 #include "crt/number_text.h"
+#include "crt/penetration.h"
 
 void crt_beam_write_header(FILE *out, const struct crt_beam_header *header)
 {
@@ -25,7 +26,10 @@ void crt_beam_write_stroke(FILE *out, const struct crt_stroke *stroke)
         crt_float_write(text, numbers[i]);
         fprintf(out, " %s", text);
     }
-    fprintf(out, " %06" PRIo32 "\n", stroke->source);
+    fprintf(out, " %06" PRIo32, stroke->source);
+    if (stroke->level != CRT_LEVEL_ONLY)
+        fprintf(out, " %s", crt_level_name((enum crt_level)stroke->level));
+    putc('\n', out);
 }
 
 void crt_beam_write_end(FILE *out, uint64_t end)

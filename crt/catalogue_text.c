@@ -1,5 +1,6 @@
 #include "crt/catalogue_text.h"
 
+#include <math.h>
 #include <string.h>
 
 #define COLUMNS 100
@@ -85,11 +86,34 @@ static void print_figure(FILE *to, const char *name, const char *unit, const str
     print_wrapped(to, n, 53, f->source);
 }
 
+static const char *mask_name(const struct crt_tube_row *row)
+{
+    static const char *const names[] = {"none", "delta", "slot", "grille"};
+    return names[row->mask];
+}
+
+/* "raster tube, three guns, delta mask, used in 1024x768@60". */
+static void print_kind(FILE *to, const struct crt_tube_row *row)
+{
+    if (row->kind == CRT_VECTOR_TUBE) {
+        fprintf(to, "  vector tube%s\n", row->penetration ? ", beam penetration screen" : "");
+        return;
+    }
+    fputs("  raster tube, ", to);
+    if (row->mask == CRT_MASK_NONE)
+        fputs("one gun", to);
+    else
+        fprintf(to, "three guns, %s", mask_name(row));
+    fprintf(to, "%s, used in %s\n",
+            row->mask == CRT_MASK_DELTA || row->mask == CRT_MASK_SLOT ? " mask" : "", row->mode);
+}
+
 void crt_explain_tube(FILE *to, const struct crt_tube_row *row)
 {
     struct crt_grid g = crt_tube_grid(row);
     int n = fprintf(to, "%s  ", row->name);
     print_wrapped(to, n, 9, row->description);
+    print_kind(to, row);
     fprintf(to, "  phosphor %s; film of %d x %d cells of %.4g mm\n", row->phosphor, g.cols, g.rows,
             g.cell_mm);
     fprintf(to, "  %-15s %9s %-6s %-17s %s\n", "figure", "value", "unit", "range", "source");
@@ -100,7 +124,7 @@ void crt_explain_tube(FILE *to, const struct crt_tube_row *row)
 #undef X
 }
 
-static void list_tubes_briefly(FILE *to, const struct crt_catalogue *c)
+static void list_vector_tubes(FILE *to, const struct crt_catalogue *c)
 {
     fprintf(to, "%-10s %-8s %-15s %-11s %-6s %-7s %s\n", "tube", "phosphor", "size mm", "units",
             "spot", "line", "description");
@@ -108,12 +132,45 @@ static void list_tubes_briefly(FILE *to, const struct crt_catalogue *c)
     for (size_t i = 0; i < c->tube_count; i++) {
         const struct crt_tube_row *r = &c->tubes[i];
         char size[40], units[40];
+        if (r->kind != CRT_VECTOR_TUBE)
+            continue;
         snprintf(size, sizeof size, "%.4g x %.4g", r->width.value, r->height.value);
         snprintf(units, sizeof units, "%.0f x %.0f", r->units_x.value, r->units_y.value);
         int n = fprintf(to, "%-10s %-8s %-15s %-11s %-6.3g %-7.4g ", r->name, r->phosphor, size,
                         units, r->spot.value, r->line_luminance.value);
         print_wrapped(to, n, n, r->description);
     }
+}
+
+static void list_raster_tubes(FILE *to, const struct crt_catalogue *c)
+{
+    fprintf(to, "%-10s %-8s %-9s %-11s %-12s %-6s %-5s %-5s %s\n", "tube", "phosphor", "size mm",
+            "mask", "mode", "kHz", "spot", "white", "description");
+    fprintf(to, "%-10s %-8s %-9s %-11s %-12s %-6s %-5s %s\n", "", "", "", "pitch mm", "", "", "mm",
+            "cd/m2");
+    for (size_t i = 0; i < c->tube_count; i++) {
+        const struct crt_tube_row *r = &c->tubes[i];
+        char size[40], mask[40], rates[40];
+        if (r->kind != CRT_RASTER_TUBE)
+            continue;
+        snprintf(size, sizeof size, "%.3g x %.3g", r->width.value, r->height.value);
+        snprintf(mask, sizeof mask, "none");
+        if (r->mask != CRT_MASK_NONE)
+            snprintf(mask, sizeof mask, "%s %.3g", mask_name(r), r->mask_pitch.value);
+        snprintf(rates, sizeof rates, "%.0f-%.0f", floor(r->h_min.value), ceil(r->h_max.value));
+        int n = fprintf(to, "%-10s %-8s %-9s %-11s %-12s %-6s %-5.3g %-5.4g ", r->name, r->phosphor,
+                        size, mask, r->mode, rates, r->spot.value, r->field_luminance.value);
+        print_wrapped(to, n, n, r->description);
+    }
+}
+
+/* A table a kind: what matters of one is no figure of the other. */
+static void list_tubes_briefly(FILE *to, const struct crt_catalogue *c)
+{
+    fputs("Vector tubes\n", to);
+    list_vector_tubes(to, c);
+    fputs("\nRaster tubes\n", to);
+    list_raster_tubes(to, c);
 }
 
 void crt_list_tubes(FILE *to, const struct crt_catalogue *c, bool why)

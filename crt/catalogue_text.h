@@ -1,7 +1,7 @@
 /* catalogue_text.h — the tables of tubes and phosphors as text of at most 100 columns.
  *
- * Models:     nothing. `why` prints every figure with its range and source: for tubes all of
- *             CRT_TUBE_FIGURES, for phosphors the terms, both published persistences beside the
+ * Models:     nothing. Briefly, tubes are a table a kind. `why` prints every figure with its range
+ *             and source: for tubes all that they have of CRT_TUBE_FIGURES, for phosphors the terms, both published persistences beside the
  *             model's own times, and the notes.
  * Units:      printed with each figure.
  * Ownership:  nothing is kept; the stream stays the caller's.

@@ -45,8 +45,10 @@ double crt_tone_at(const struct crt_tone *tone, double v)
 
 double crt_auto_gain(const struct crt_tube_row *row)
 {
-    assert(row->line_luminance.value > 0.0);
-    return 0.8 / row->line_luminance.value;
+    double full =
+        row->kind == CRT_RASTER_TUBE ? row->field_luminance.value : row->line_luminance.value;
+    assert(full > 0.0);
+    return 0.8 / full;
 }
 
 /* fmin and fmax would be calls, for the sake of NaN. */
@@ -93,8 +95,10 @@ static inline void fit(double y, const struct crt_hue *hue, double rgb[3])
     double room = 1.0 - y, rise = chroma * hue->high;
     if (rise > 0.0)
         chroma *= room / sqrt(room * room + rise * rise);
-    for (int i = 0; i < 3; i++) /* the ends take only the dust of rounding */
-        rgb[i] = least(greatest(y + chroma * hue->e[i], 0.0), 1.0);
+    /* The ends take only the dust of rounding. No loop: it would go through memory. */
+    rgb[0] = least(greatest(y + chroma * hue->e[0], 0.0), 1.0);
+    rgb[1] = least(greatest(y + chroma * hue->e[1], 0.0), 1.0);
+    rgb[2] = least(greatest(y + chroma * hue->e[2], 0.0), 1.0);
 }
 
 void crt_fit_hue(double y, const struct crt_hue *hue, double rgb[3])
@@ -123,8 +127,14 @@ static inline void put_pixel(const struct development *d, double light, const st
 {
     double v = light * d->scale, linear[3];
     fit(v <= CRT_TONE_SHOULDER ? v : crt_tone_at(&d->tone, v), hue, linear);
-    for (int i = 0; i < 3; i++)
-        rgb[i] = crt_srgb_sample(&d->encoder, linear[i], d->max);
+    rgb[0] = crt_srgb_sample(&d->encoder, linear[0], d->max);
+    rgb[1] = crt_srgb_sample(&d->encoder, linear[1], d->max);
+    rgb[2] = crt_srgb_sample(&d->encoder, linear[2], d->max);
+}
+
+static inline double light_at(const float *light, size_t c)
+{
+    return light[c] > 0.0f ? (double)light[c] : 0.0;
 }
 
 static void develop_row_of_one_colour(const struct development *d, int row)
@@ -144,12 +154,34 @@ static void develop_row_of_two_colours(const struct development *d, int row)
     const float *light1 = d->film->light[1] + cols * (size_t)row;
     uint16_t *rgb = d->out->samples + 3 * cols * (size_t)row;
     for (size_t c = 0; c < cols; c++, rgb += 3) {
-        double a = light0[c] > 0.0f ? (double)light0[c] : 0.0;
-        double b = light1[c] > 0.0f ? (double)light1[c] : 0.0;
+        double a = light_at(light0, c), b = light_at(light1, c);
         double sum = a + b;
         if (!(sum > 0.0))
             continue;
         struct crt_hue hue = crt_hue_mix(&d->hue[0], &d->hue[1], b / sum);
+        put_pixel(d, sum, &hue, rgb);
+    }
+}
+
+static void develop_row_of_three_colours(const struct development *d, int row)
+{
+    size_t cols = (size_t)d->film->grid.cols, start = cols * (size_t)row;
+    const float *light0 = d->film->light[0] + start, *light1 = d->film->light[1] + start,
+                *light2 = d->film->light[2] + start;
+    const double *e0 = d->hue[0].e, *e1 = d->hue[1].e, *e2 = d->hue[2].e;
+    uint16_t *rgb = d->out->samples + 3 * start;
+    for (size_t c = 0; c < cols; c++, rgb += 3) {
+        double l0 = light_at(light0, c), l1 = light_at(light1, c), l2 = light_at(light2, c);
+        double sum = l0 + l1 + l2;
+        if (!(sum > 0.0))
+            continue;
+        double per_light = 1.0 / sum;
+        struct crt_hue hue = {{(l0 * e0[0] + l1 * e1[0] + l2 * e2[0]) * per_light,
+                               (l0 * e0[1] + l1 * e1[1] + l2 * e2[1]) * per_light,
+                               (l0 * e0[2] + l1 * e1[2] + l2 * e2[2]) * per_light},
+                              0.0,
+                              0.0};
+        hue = with_limits(hue);
         put_pixel(d, sum, &hue, rgb);
     }
 }
@@ -163,10 +195,16 @@ static void *develop_band(void *argument)
 {
     const struct band *band = argument;
     for (int row = band->first_row; row < band->end_row; row++) {
-        if (band->development->film->colours == 1)
+        switch (band->development->film->colours) {
+        case 1:
             develop_row_of_one_colour(band->development, row);
-        else
+            break;
+        case 2:
             develop_row_of_two_colours(band->development, row);
+            break;
+        default:
+            develop_row_of_three_colours(band->development, row);
+        }
     }
     return NULL;
 }

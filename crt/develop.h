@@ -8,8 +8,8 @@
  *                 tone = shoulder + (1 − shoulder)·U·u / (U + (U − 1)·u),
  *             a hyperbola that leaves with slope 1 and reaches 1, flat to 1e-5, at CRT_TONE_MAX;
  *             1 beyond. Tabulated once; the same table serves the film picture (here) and the
- *             glass (as a texture). The XYZ of a two-colour phosphor are the sums of its
- *             colours'.
+ *             glass (as a texture). The XYZ of a phosphor of several colours are the sums of
+ *             its colours'.
  * Gamut:      the linear sRGB of a colour at luminance y is y·(1 + e), e = crt_hue.e. It is mixed
  *             with D65 at constant luminance, y + chroma·e; nothing is clipped channel by channel.
  *             First chroma is held to where no channel falls below 0; then, so that none exceeds
@@ -20,7 +20,8 @@
  *             0.715) rows of white beads. The price: a colour that would just fit keeps 0.71 of
  *             its chroma, one that fills a tenth of its room 0.995. No channel falls as y rises.
  * Units:      gain is 1/(cd/m²): relative luminance = gain · luminance; `auto` gain maps the
- *             row's line_luminance to 0.8 of white whatever the exposure.
+ *             row's line_luminance (of raster tubes field_luminance) to 0.8 of white whatever the
+ *             exposure.
  * Rounding:   samples as defined in crt/srgb.h (halves up); row 0 of the picture is row 0 of the
  *             film.
  * Determinism: only + − × ÷ √ and crt/maths.h; every pixel by itself, so the same samples for any

@@ -54,6 +54,8 @@ enum {
     GL_TEXTURE_WRAP_T = 0x2803,
     GL_RGBA8 = 0x8058,
     GL_RGBA16 = 0x805B,
+    GL_RGBA32F = 0x8814,
+    GL_REPEAT = 0x2901,
     GL_CLAMP_TO_EDGE = 0x812F,
     GL_R32F = 0x822E,
     GL_RG32F = 0x8230,
@@ -65,6 +67,8 @@ enum {
     GL_COMPILE_STATUS = 0x8B81,
     GL_LINK_STATUS = 0x8B82,
     GL_FRAMEBUFFER = 0x8D40,
+    GL_READ_FRAMEBUFFER = 0x8CA8,
+    GL_DRAW_FRAMEBUFFER = 0x8CA9,
     GL_COLOR_ATTACHMENT0 = 0x8CE0,
     GL_FRAMEBUFFER_COMPLETE = 0x8CD5
 };
@@ -134,6 +138,9 @@ enum {
     X(void, BindFramebuffer, (unsigned target, unsigned name))                                     \
     X(void, FramebufferTexture2D,                                                                  \
       (unsigned target, unsigned attachment, unsigned kind, unsigned texture, int level))          \
+    X(void, BlitFramebuffer,                                                                       \
+      (int sx0, int sy0, int sx1, int sy1, int dx0, int dy0, int dx1, int dy1, unsigned buffers,   \
+       unsigned filter))                                                                           \
     X(unsigned, CheckFramebufferStatus, (unsigned target))
 
 struct crt_gl {

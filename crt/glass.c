@@ -20,11 +20,11 @@ static void make_prefix(char *prefix, size_t size, struct crt_glass_variant v)
              "#define TONE_SCALE %.9g\n#define TONE_SHOULDER %.9f\n"
              "#define BEND_MAX %.2f\n#define COLOURS "
              "%d\n#define SAMPLE %d\n#define CURVED %d\n"
-             "#define HALO %d\n#define ROOM %d\n",
+             "#define HALO %d\n#define ROOM %d\n#define MASK %d\n",
              CRT_SAMPLE_SMOOTH, CRT_SAMPLE_EXACT, CRT_SAMPLE_CUBIC, CRT_SAMPLE_AREA3,
              CRT_HALO_RADIUS_MAX, CRT_TONE_SIZE, CRT_TONE_MAX,
              (CRT_TONE_SIZE - 1.0) * (CRT_TONE_SIZE - 1.0) / CRT_TONE_MAX, CRT_TONE_SHOULDER,
-             CRT_BEND_MAX, v.colours, (int)v.sample, v.curved, v.halo, v.room);
+             CRT_BEND_MAX, v.colours, (int)v.sample, v.curved, v.halo, v.room, v.mask);
 }
 
 static unsigned program(struct crt_glass *glass, struct crt_glass_variant v,
@@ -38,8 +38,8 @@ static unsigned program(struct crt_glass *glass, struct crt_glass_variant v,
 
 unsigned crt_glass_face_program(struct crt_glass *glass, struct crt_glass_variant v)
 {
-    int index =
-        v.colours - 1 + 2 * ((int)v.sample + CRT_SAMPLES * (v.curved + 2 * (v.halo + 2 * v.room)));
+    int flags = v.curved + 2 * v.halo + 4 * v.room + 8 * v.mask;
+    int index = v.colours - 1 + 3 * ((int)v.sample + CRT_SAMPLES * flags);
     if (!glass->face[index])
         glass->face[index] =
             program(glass, v, crt_glass_place_vertex, crt_glass_face, &glass->trouble);
@@ -57,7 +57,7 @@ void crt_glass_texture_resize(struct crt_glass *glass, struct crt_glass_texture 
     if (texture->width == width && texture->height == height && texture->internal == internal)
         return;
     bool bytes = internal == GL_RGBA8, shorts = internal == GL_RGBA16;
-    unsigned format = bytes || shorts ? GL_RGBA : internal == GL_R32F ? GL_RED : GL_RG;
+    unsigned format = internal == GL_R32F ? GL_RED : internal == GL_RG32F ? GL_RG : GL_RGBA;
     unsigned type = bytes ? GL_UNSIGNED_BYTE : shorts ? GL_UNSIGNED_SHORT : GL_FLOAT;
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
@@ -98,7 +98,7 @@ static bool set_up(struct crt_glass *glass, crt_gl_loader loader, struct crt_err
     upload_curve(glass);
     const struct crt_glass_variant plain = {.colours = 1};
     /* The face with every pass on tells at once whether the driver takes our shaders. */
-    const struct crt_glass_variant full = {2, CRT_SAMPLE_CUBIC, true, true, true};
+    const struct crt_glass_variant full = {3, CRT_SAMPLE_CUBIC, true, true, true, true};
     if (!(glass->blur = program(glass, plain, crt_glass_vertex, crt_glass_blur, err)) ||
         !(glass->text = program(glass, plain, crt_glass_vertex, crt_glass_text, err)))
         return false;
@@ -129,7 +129,7 @@ void crt_glass_destroy(struct crt_glass *glass)
     if (glass->vertex_array) {
         const unsigned textures[] = {glass->film[0].name, glass->film[1].name, glass->halo[0].name,
                                      glass->halo[1].name, glass->curve.name,   glass->overlay.name,
-                                     glass->target.name};
+                                     glass->target.name,  glass->pattern.name};
         gl->DeleteTextures((int)(sizeof textures / sizeof textures[0]), textures);
         for (int i = 0; i < CRT_GLASS_VARIANTS; i++)
             gl->DeleteProgram(glass->face[i]);
@@ -142,6 +142,7 @@ void crt_glass_destroy(struct crt_glass *glass)
     free(glass->block_most);
     free(glass->block_mean);
     free(glass->shrunk);
+    free(glass->packed);
     for (int i = 0; i < CRT_SQUARE_KINDS; i++)
         free(glass->squares[i].corner);
     free(glass);
@@ -199,7 +200,7 @@ void crt_glass_draw(struct crt_glass *glass, const struct crt_glass_settings *se
                     unsigned fbo, int width, int height)
 {
     assert(width > 0 && height > 0);
-    const struct crt_glass_tile whole = {0, 0, width, height, width, height, false};
+    const struct crt_glass_tile whole = {0, 0, width, height, width, height, false, false};
     crt_glass_draw_tile(glass, settings, fbo, &whole);
 }
 
@@ -245,7 +246,8 @@ static bool render_tiles(struct crt_glass *glass, const struct crt_glass_setting
                          glass->driver, out->depth);
     for (int y = 0; good && y < out->height; y += h)
         for (int x = 0; good && x < out->width; x += w) {
-            struct crt_glass_tile tile = {x, y, w, h, out->width, out->height, out->depth == 16};
+            struct crt_glass_tile tile = {x,    y, w, h, out->width, out->height, out->depth == 16,
+                                          false};
             tile.w = out->width - x < w ? out->width - x : w;
             tile.h = out->height - y < h ? out->height - y : h;
             crt_glass_draw_tile(glass, settings, fbo, &tile);

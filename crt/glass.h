@@ -1,6 +1,6 @@
 /* glass.h — what a viewer sees: the film behind a curved faceplate, in GL 3.3 core.
  *
- *   film (float, per colour) ─▶ resample ─▶ halation ─▶ face, room light ─▶ tone ─▶ sRGB ─▶ text
+ *   film (float, per colour) ─▶ resample ─▶ mask ─▶ halation ─▶ face, room light ─▶ tone ─▶ sRGB ─▶ text
  *
  * The same code draws in a GLFW window and in an offscreen context. It creates no context and
  * touches no window system: the caller makes a context current and passes its loader.
@@ -10,6 +10,11 @@
  *   when enlarging; the mean over each pixel's area when reducing.
  * - Curvature: a spherical face seen from far away. The picture keeps its scale at the centre;
  *   towards the rim millimetres are measured along the glass. A dark bezel with a soft edge.
+ * - Mask: the light of each colour, on average unchanged, only where its phosphor is lit (crt/mask.h,
+ *   with perfect landing, as film has what lands wrong), exactly over each pixel's square: a table of
+ *   one period, made when the scale changes. Where the pattern's period is less than three pixels it
+ *   fades, and below two nothing is left: finer ones would only give moiré. A screen of which a fifth
+ *   is lit is five times as bright there, more than a picture can show: white comes out darker.
  * - Halation: light totally reflected at the front of the glass returns to the phosphor in a ring
  *   of radius 2·t·tan(asin(1/n)), 14 mm for t = 8 mm (estimate) and n = 1.52; here a Gaussian of
  *   the ring's second moment, sigma = 9.9 mm, computed at reduced size.
@@ -28,8 +33,7 @@
  *             named). Functions that return nothing leave theirs to the next crt_glass_render.
  * Determinism: none, results vary with the GL driver: compare with tolerance. With every pass off
  *             and one cell a pixel it is crt_develop's picture within one step of 8 bits.
- * Not modelled: the dark centre of the halation ring, parallax of the glass's thickness, shadow
- *             mask.
+ * Not modelled: the dark centre of the halation ring, parallax of the glass's thickness.
  */
 #ifndef CRT_GLASS_H
 #define CRT_GLASS_H
@@ -38,6 +42,7 @@
 
 #include "crt/develop.h"
 #include "crt/image.h"
+#include "crt/mask.h"
 #include "crt/tube.h"
 
 typedef void (*crt_gl_function)(void);
@@ -48,6 +53,7 @@ struct crt_glass_settings {
     double room_cd_m2;     /* luminance of the unlit screen in room light; 0 = dark room */
     double halation;       /* share of light scattered; 0 skips the pass */
     double face_radius_mm; /* 0 = flat, skips curvature */
+    struct crt_mask mask;  /* crt_mask_init; kind none (all 0) skips it. Not for microscope films */
 };
 
 struct crt_glass;
@@ -74,6 +80,19 @@ bool crt_glass_pick(const struct crt_glass *glass, const struct crt_glass_settin
 /* Draws into framebuffer `fbo` (0 = the window) of width × height pixels, letterboxed. */
 void crt_glass_draw(struct crt_glass *glass, const struct crt_glass_settings *settings,
                     unsigned fbo, int width, int height);
+
+/* A part of framebuffer `fbo`, itself win_w × win_h pixels: x, y from its top left corner. */
+struct crt_glass_part {
+    int x, y, w, h;
+    int win_w, win_h;
+};
+
+/* The same into a part alone; what is outside stays. Without the overlay. */
+void crt_glass_draw_part(struct crt_glass *glass, const struct crt_glass_settings *settings,
+                         unsigned fbo, const struct crt_glass_part *part);
+
+/* The overlay alone, over whatever `fbo` shows. */
+void crt_glass_draw_overlay(struct crt_glass *glass, unsigned fbo, int width, int height);
 
 /* Draws into an offscreen framebuffer and reads it back as an 8- or 16-bit picture. */
 bool crt_glass_render(struct crt_glass *glass, const struct crt_glass_settings *settings, int width,

@@ -161,6 +161,30 @@ static bool clip(const struct crt_glass_tile *tile, double x0, double y0, double
     return part[0] < part[2] && part[1] < part[3];
 }
 
+static bool shows_mask(const struct crt_glass *glass, const struct crt_glass_settings *settings,
+                       const struct crt_glass_face *f)
+{
+    return settings->mask.kind != CRT_MASK_NONE && glass->colours == 3 &&
+           crt_glass_mask_depth(&settings->mask, f->cells_per_pixel * glass->grid.cell_mm) > 0;
+}
+
+static void set_mask(const struct crt_glass *glass, const struct crt_mask *mask,
+                     const struct crt_glass_face *f, unsigned face)
+{
+    const struct crt_gl *gl = &glass->gl;
+    const struct crt_grid *g = &glass->grid;
+    double w, h, cell = g->cell_mm;
+    crt_glass_pattern_period(mask, &w, &h);
+    bind(gl, 4, &glass->pattern);
+    set_1i(gl, face, "pattern", 4);
+    set_2f(gl, face, "mask_period", w / cell, h / cell);
+    /* The grid's centre in cells from the tube's, y down. */
+    set_2f(gl, face, "mask_from", g->left_mm / cell + 0.5 * g->cols,
+           -g->top_mm / cell + 0.5 * g->rows);
+    set_1f(gl, face, "mask_depth", crt_glass_mask_depth(mask, f->cells_per_pixel * cell));
+    set_2f(gl, face, "wire", mask->wire_y / cell, mask->wire / 2 / cell);
+}
+
 static void set_face(const struct crt_glass *glass, const struct crt_glass_settings *settings,
                      const struct crt_glass_face *f, const struct crt_glass_tile *tile,
                      unsigned face)
@@ -189,6 +213,9 @@ static void set_face(const struct crt_glass *glass, const struct crt_glass_setti
     set_1f(gl, face, "grain", tile->fine ? 1.0 / 65535 : 1.0 / 255);
     set_rgb(gl, face, "unit0", glass->unit[0]);
     set_rgb(gl, face, "unit1", glass->unit[1]);
+    set_rgb(gl, face, "unit2", glass->unit[2]);
+    if (settings->mask.kind != CRT_MASK_NONE)
+        set_mask(glass, &settings->mask, f, face);
 }
 
 /* Most of a vector display is dark, and sampling is what costs most: squares that no light of the
@@ -207,14 +234,19 @@ static void draw_face(struct crt_glass *glass, const struct crt_glass_settings *
                                   .curved = f->bend > 0,
                                   .halo = settings->halation > 0,
                                   .room = settings->room_cd_m2 > 0};
+    bool mask = shows_mask(glass, settings, f);
     int part[4];
     if (!clip(tile, place->x, place->y, place->x + place->w, place->y + place->h, part) ||
         !crt_glass_sort_squares(glass, f, tile, part))
+        return;
+    if (mask &&
+        !crt_glass_upload_pattern(glass, &settings->mask, f->cells_per_pixel * glass->grid.cell_mm))
         return;
     gl->BindBuffer(GL_ARRAY_BUFFER, glass->vertices);
     for (int i = 0; i < CRT_SQUARE_KINDS; i++) {
         const struct crt_glass_squares *s = &glass->squares[i];
         v.sample = sample[i];
+        v.mask = mask && i == CRT_SQUARE_LIT;
         if (s->corners == 0 || (i != CRT_SQUARE_LIT && !v.halo && !v.room))
             continue;
         unsigned face = crt_glass_face_program(glass, v);
@@ -227,7 +259,7 @@ static void draw_face(struct crt_glass *glass, const struct crt_glass_settings *
     }
 }
 
-static void draw_text(struct crt_glass *glass, const struct crt_glass_tile *tile)
+void crt_glass_draw_text(struct crt_glass *glass, const struct crt_glass_tile *tile)
 {
     const struct crt_gl *gl = &glass->gl;
     int part[4];
@@ -269,6 +301,7 @@ void crt_glass_draw_tile(struct crt_glass *glass, const struct crt_glass_setting
         struct crt_glass_face f = make_face(glass, settings, tile->win_w, tile->win_h);
         draw_face(glass, settings, &f, tile);
     }
-    draw_text(glass, tile);
+    if (!tile->bare)
+        crt_glass_draw_text(glass, tile);
     gl->Disable(GL_SCISSOR_TEST);
 }

@@ -79,23 +79,30 @@ bool crt_glass_upload_halo(struct crt_glass *glass)
     size_t across = (size_t)blocks_of(g->cols), up = (size_t)blocks_of(g->rows);
     size_t n = (size_t)blocks_per_texel(g), colours = (size_t)glass->colours;
     size_t w = (across + n - 1) / n, h = (up + n - 1) / n;
-    if (w * h * colours > glass->shrunk_room) {
+    /* GL promises no framebuffer of three channels. */
+    static const struct {
+        int internal;
+        unsigned format;
+        size_t channels;
+    } kinds[] = {{GL_R32F, GL_RED, 1}, {GL_RG32F, GL_RG, 2}, {GL_RGBA32F, GL_RGBA, 4}};
+    const size_t channels = kinds[colours - 1].channels;
+    if (w * h * channels > glass->shrunk_room) {
         glass->shrunk_room = 0;
-        if (!make_room(&glass->shrunk, w * h * colours))
+        if (!make_room(&glass->shrunk, w * h * channels))
             return crt_fail(&glass->trouble, "out of memory for the halation");
-        glass->shrunk_room = w * h * colours;
+        glass->shrunk_room = w * h * channels;
     }
-    memset(glass->shrunk, 0, w * h * colours * sizeof *glass->shrunk);
+    memset(glass->shrunk, 0, w * h * channels * sizeof *glass->shrunk);
     for (size_t y = 0; y < up; y++)
         for (size_t x = 0; x < across; x++)
             for (size_t i = 0; i < colours; i++)
-                glass->shrunk[(y / n * w + x / n) * colours + i] +=
+                glass->shrunk[(y / n * w + x / n) * channels + i] +=
                     glass->block_mean[(y * across + x) * colours + i] / (float)(n * n);
     for (int i = 0; i < 2; i++)
-        crt_glass_texture_resize(glass, &glass->halo[i], colours == 2 ? GL_RG32F : GL_R32F, (int)w,
+        crt_glass_texture_resize(glass, &glass->halo[i], kinds[colours - 1].internal, (int)w,
                                  (int)h, GL_LINEAR);
     glass->gl.BindTexture(GL_TEXTURE_2D, glass->halo[0].name);
-    glass->gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, (int)w, (int)h, colours == 2 ? GL_RG : GL_RED,
+    glass->gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, (int)w, (int)h, kinds[colours - 1].format,
                             GL_FLOAT, glass->shrunk);
     glass->halo_factor = (int)n * BLOCK;
     return true;
@@ -106,6 +113,31 @@ static void upload(struct crt_glass *glass, struct crt_glass_texture *texture, i
 {
     crt_glass_texture_resize(glass, texture, GL_R32F, w, h, GL_NEAREST);
     glass->gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, w, h, GL_RED, GL_FLOAT, data);
+}
+
+/* Three colours side by side: one look-up reads all. */
+static bool upload_three(struct crt_glass *glass, const struct crt_film *film)
+{
+    size_t count = (size_t)film->grid.cols * (size_t)film->grid.rows;
+    if (4 * count > glass->packed_room) {
+        glass->packed_room = 0;
+        if (!make_room(&glass->packed, 4 * count))
+            return false;
+        glass->packed_room = 4 * count;
+    }
+    const float *a = film->light[0], *b = film->light[1], *c = film->light[2];
+    float *to = glass->packed;
+    for (size_t i = 0; i < count; i++, to += 4) {
+        to[0] = a[i];
+        to[1] = b[i];
+        to[2] = c[i];
+        to[3] = 0;
+    }
+    crt_glass_texture_resize(glass, &glass->film[0], GL_RGBA32F, film->grid.cols, film->grid.rows,
+                             GL_NEAREST);
+    glass->gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, film->grid.cols, film->grid.rows, GL_RGBA,
+                            GL_FLOAT, glass->packed);
+    return true;
 }
 
 void crt_glass_film(struct crt_glass *glass, const struct crt_film *film,
@@ -122,7 +154,7 @@ void crt_glass_film(struct crt_glass *glass, const struct crt_film *film,
                  cols, rows, glass->max_side, glass->driver);
         return;
     }
-    if (!crt_glass_find_blocks(glass, film)) {
+    if (!crt_glass_find_blocks(glass, film) || (film->colours == 3 && !upload_three(glass, film))) {
         crt_fail(&glass->trouble, "out of memory for a film of %d x %d cells", cols, rows);
         return;
     }
@@ -135,6 +167,7 @@ void crt_glass_film(struct crt_glass *glass, const struct crt_film *film,
         crt_srgb_of(phosphor->colour[i], rgb);
         for (int k = 0; k < 3; k++)
             glass->unit[i][k] = (float)rgb[k];
-        upload(glass, &glass->film[i], cols, rows, film->light[i]);
+        if (film->colours < 3)
+            upload(glass, &glass->film[i], cols, rows, film->light[i]);
     }
 }

@@ -24,11 +24,11 @@ struct crt_glass_texture {
 
 /* The passes of the face that can be off, one program each. */
 struct crt_glass_variant {
-    int colours; /* 1 or 2 */
+    int colours; /* 1, 2 or 3 */
     enum crt_glass_sample sample;
-    bool curved, halo, room;
+    bool curved, halo, room, mask;
 };
-#define CRT_GLASS_VARIANTS (2 * CRT_SAMPLES * 2 * 2 * 2)
+#define CRT_GLASS_VARIANTS (3 * CRT_SAMPLES * 2 * 2 * 2 * 2)
 
 /* The picture's squares by what can shine in them. */
 enum crt_square_kind {
@@ -51,7 +51,8 @@ struct crt_glass {
     unsigned vertex_array, vertices, framebuffer;
     unsigned face[CRT_GLASS_VARIANTS], blur, text;
 
-    struct crt_glass_texture film[CRT_MAX_COLOURS], halo[2], curve, overlay, target;
+    /* Three colours lie side by side in film[0]. */
+    struct crt_glass_texture film[2], halo[2], curve, overlay, target, pattern;
     struct crt_grid grid; /* of the film; cols = 0 before the first */
     int colours;
     double per_second; /* 1 / exposure: film to cd/m² */
@@ -63,6 +64,10 @@ struct crt_glass {
     size_t shrunk_room;
     int halo_factor; /* cells to a texel of the halo */
     bool halo_fresh; /* halo[0] belongs to this film */
+    float *packed;   /* three colours side by side */
+    size_t packed_room;
+    struct crt_mask mask; /* what `pattern` was made of */
+    double mask_pixel;    /* and for pixels of so many mm; 0: of nothing yet */
 
     struct crt_glass_squares squares[CRT_SQUARE_KINDS];
 
@@ -97,9 +102,13 @@ struct crt_glass_tile {
     int x, y, w, h;
     int win_w, win_h;
     bool fine; /* 16 bits a sample, not 8 */
+    bool bare; /* without the overlay */
 };
 void crt_glass_draw_tile(struct crt_glass *glass, const struct crt_glass_settings *settings,
                          unsigned fbo, const struct crt_glass_tile *tile);
+
+/* The overlay over what the bound framebuffer shows. */
+void crt_glass_draw_text(struct crt_glass *glass, const struct crt_glass_tile *tile);
 
 /* Sorts the squares of a rectangle (left, top, right, bottom in the tile's pixels) into
  * glass->squares. */
@@ -111,6 +120,17 @@ bool crt_glass_find_blocks(struct crt_glass *glass, const struct crt_film *film)
 
 /* Shrinks the blocks' means into halo[0], unblurred. */
 bool crt_glass_upload_halo(struct crt_glass *glass);
+
+/* One period of the mask over pixels of side pixel_mm, in the texture `pattern`; does nothing when it
+ * is there already. False when out of memory. */
+bool crt_glass_upload_pattern(struct crt_glass *glass, const struct crt_mask *mask,
+                              double pixel_mm);
+
+/* The rectangle after which a mask's pattern repeats. */
+void crt_glass_pattern_period(const struct crt_mask *mask, double *width_mm, double *height_mm);
+
+/* How much of the mask shows: 1 for coarse patterns, 0 for such as would give moiré. */
+double crt_glass_mask_depth(const struct crt_mask *mask, double pixel_mm);
 
 /* Compiles (once) the program of a variant; 0 and glass->trouble when the driver refuses. */
 unsigned crt_glass_face_program(struct crt_glass *glass, struct crt_glass_variant v);

@@ -11,9 +11,17 @@ const char *const crt_glass_vertex[] = {
     "}\n",
     NULL};
 
-/* The film as one float or two, so that a tube of one colour pays for one. */
+/* The film as one float, two or three, so that a tube of one colour pays for one. */
 #define LIGHT                                                                                      \
-    "#if COLOURS == 2\n"                                                                           \
+    "#if COLOURS == 3\n"                                                                           \
+    "#define light vec3\n"                                                                         \
+    "#define READ(s) (s).rgb\n"                                                                    \
+    "uniform sampler2D film0;\n"                                                                   \
+    "vec3 film(ivec2 t)\n"                                                                         \
+    "{\n"                                                                                          \
+    "    return texelFetch(film0, t, 0).rgb;\n"                                                    \
+    "}\n"                                                                                          \
+    "#elif COLOURS == 2\n"                                                                         \
     "#define light vec2\n"                                                                         \
     "#define READ(s) (s).rg\n"                                                                     \
     "uniform sampler2D film0, film1;\n"                                                            \
@@ -63,10 +71,10 @@ const char *const crt_glass_blur[] = {
     "    ivec2 here = ivec2(gl_FragCoord.xy);\n"
     "    int at = along.x == 1 ? here.x : here.y;\n"
     "    int last = (along.x == 1 ? size.x : size.y) - 1;\n"
-    "    vec2 sum = vec2(0.0);\n"
+    "    vec4 sum = vec4(0.0);\n"
     "    for (int k = max(-radius, -at); k <= min(radius, last - at); k++)\n"
-    "        sum += weight[abs(k)] * texelFetch(source, here + along * k, 0).rg;\n"
-    "    blurred = vec4(sum, 0.0, 1.0);\n"
+    "        sum += weight[abs(k)] * texelFetch(source, here + along * k, 0);\n"
+    "    blurred = sum;\n"
     "}\n",
     NULL};
 
@@ -138,7 +146,7 @@ const char *const crt_glass_blur[] = {
     "uniform float halation;\n"                                                                    \
     "uniform float scale;            /* film to relative luminance */\n"                           \
     "uniform float room;             /* relative luminance */\n"                                   \
-    "uniform vec3 unit0, unit1;      /* linear sRGB of luminance 1 in each colour */\n"            \
+    "uniform vec3 unit0, unit1, unit2; /* linear sRGB of luminance 1 in each colour */\n"          \
     "float tone(float v)\n"                                                                        \
     "{\n"                                                                                          \
     "    float t = min(v, TONE_MAX) * TONE_SCALE;\n"                                               \
@@ -167,7 +175,10 @@ const char *const crt_glass_blur[] = {
     "}\n"                                                                                          \
     "vec3 show(light l, float glow, float shade)\n"                                                \
     "{\n"                                                                                          \
-    "#if COLOURS == 2\n"                                                                           \
+    "#if COLOURS == 3\n"                                                                           \
+    "    float y = (l.x + l.y + l.z) * scale + glow;\n"                                            \
+    "    vec3 rgb = (l.x * unit0 + l.y * unit1 + l.z * unit2) * scale + glow;\n"                   \
+    "#elif COLOURS == 2\n"                                                                         \
     "    float y = (l.x + l.y) * scale + glow;\n"                                                  \
     "    vec3 rgb = (l.x * unit0 + l.y * unit1) * scale + glow;\n"                                 \
     "#else\n"                                                                                      \
@@ -238,6 +249,26 @@ const char *const crt_glass_place_vertex[] = {
     "    return c;\n"                                                                              \
     "}\n"
 
+/* What the mask lets of each colour be seen, 1 on average: a table of one period, and the shadows of
+ * damper wires. */
+#define PATTERN                                                                                    \
+    "#if MASK\n"                                                                                   \
+    "uniform sampler2D pattern;\n"                                                                 \
+    "uniform vec2 mask_period;       /* cells */\n"                                                \
+    "uniform vec2 mask_from;         /* the film's centre, cells from the tube's */\n"             \
+    "uniform float mask_depth;       /* 0: even light */\n"                                        \
+    "uniform vec2 wire;              /* distance from the middle, half width, cells */\n"          \
+    "vec3 seen_through(vec2 c)\n"                                                                  \
+    "{\n"                                                                                          \
+    "    vec2 at = c + mask_from;\n"                                                               \
+    "    vec3 share = textureLod(pattern, at / mask_period, 0.0).rgb;\n"                           \
+    "    float off = abs(abs(at.y) - wire.x), half_pixel = 0.5 * cells_per_pixel;\n"               \
+    "    float dark = min(off + half_pixel, wire.y) - max(off - half_pixel, -wire.y);\n"           \
+    "    share *= 1.0 - max(dark, 0.0) / cells_per_pixel;\n"                                       \
+    "    return mix(vec3(1.0), share, mask_depth);\n"                                              \
+    "}\n"                                                                                          \
+    "#endif\n"
+
 const char *const crt_glass_face[] = {
     LIGHT,
     WARP,
@@ -266,6 +297,7 @@ const char *const crt_glass_face[] = {
     "#endif\n",
     DISPLAY,
     DITHER,
+    PATTERN,
     "void main()\n"
     "{\n"
     "#if SAMPLE == SAMPLE_SMOOTH\n"
@@ -285,6 +317,9 @@ const char *const crt_glass_face[] = {
     "#endif\n"
     "    vec2 t = c + 0.5 * vec2(size);\n"
     "    light l = sample_film(t);\n"
+    "#if MASK\n"
+    "    l *= seen_through(c);\n"
+    "#endif\n"
     "#if HALO\n"
     "    l = mix(l, scattered, halation);\n"
     "#endif\n"

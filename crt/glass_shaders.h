@@ -1,7 +1,7 @@
 /* glass_shaders.h — the GLSL 3.30 sources of the glass; private to it.
  *
  * Models:     see crt/glass.h. Each source follows a prefix of #version and #defines; those of the
- *             face are COLOURS 1|2, SAMPLE one of SAMPLE_*, CURVED, HALO, ROOM 0|1.
+ *             face are COLOURS 1|2|3, SAMPLE one of SAMPLE_*, CURVED, HALO, ROOM, MASK 0|1.
  * Ownership:  constant lists of pieces ended by NULL, since C99 promises only 4095 characters a
  *             string.
  */

@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "crt/phosphor.h"
 #include "crt/piece.h"
 
 struct crt_entry {
@@ -20,6 +21,7 @@ struct crt_entry {
     double power; /* cd·mm²/m²: energy per second of beam */
     double sigma_mm;
     double crest; /* of the whole stroke on film, were all its energy emitted; cd·s/m² */
+    double light[CRT_MAX_COLOURS]; /* of each colour, in parts of the phosphor's share of it */
 };
 
 struct crt_entries {

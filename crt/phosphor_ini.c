@@ -3,6 +3,7 @@
 
 #include "crt/ini_value.h"
 #include "crt/tube_ini.h"
+#include "crt/white.h"
 
 static bool read_colour(struct crt_ini *ini, const char *key, const char *value)
 {
@@ -54,8 +55,8 @@ static bool read_term(struct crt_ini *ini, const char *key, const char *value)
                             "%s is '%s'; expected a positive amount and a time constant "
                             "between 1 ps and 10000 s",
                             key, value);
-    if (colour != 1 && colour != 2)
-        return crt_ini_fail(ini, "%s names colour %g; expected 1 or 2", key, colour);
+    if (colour != 1 && colour != 2 && colour != 3)
+        return crt_ini_fail(ini, "%s names colour %g; expected 1, 2 or 3", key, colour);
     if (ini->t10)
         return t10_alone(ini);
     if (!ini->terms_given) {
@@ -151,7 +152,7 @@ bool crt_ini_phosphor_key(struct crt_ini *ini, const char *key, const char *valu
         return read_within(ini, key, value, 300, 1000, &p->peak_nm);
     if (strcmp(key, "luminance") == 0)
         return read_within(ini, key, value, 0, 1e4, &p->relative_luminance);
-    if (strcmp(key, "colour1") == 0 || strcmp(key, "colour2") == 0)
+    if (strcmp(key, "colour1") == 0 || strcmp(key, "colour2") == 0 || strcmp(key, "colour3") == 0)
         return read_colour(ini, key, value);
     if (strcmp(key, "rate") == 0 || strcmp(key, "term") == 0)
         return read_term(ini, key, value);
@@ -169,9 +170,26 @@ bool crt_ini_phosphor_key(struct crt_ini *ini, const char *key, const char *valu
     }
     return crt_ini_fail(ini,
                         "a phosphor has no '%s'; expected like, description, letters, peak, "
-                        "luminance, colour1, colour2, rate, term, t10, tektronix, jedec, source "
-                        "or note",
+                        "luminance, colour1, colour2, colour3, rate, term, t10, tektronix, jedec, "
+                        "source or note",
                         key);
+}
+
+/* Three colours are those of three guns: equal drive is white. */
+static bool balance_white(struct crt_ini *ini)
+{
+    struct crt_phosphor *p = &ini->phosphor;
+    double share[3], sum[3] = {0, 0, 0};
+    if (!crt_white_shares(p, share) || !(share[0] > 1e-6 && share[1] > 1e-6 && share[2] > 1e-6))
+        return crt_ini_fail(ini,
+                            "phosphor %s: its three colours do not mix to white; expected x, y of "
+                            "red, green and blue around 0.3127 0.3290",
+                            p->name);
+    for (int k = 0; k < p->terms; k++)
+        sum[p->term[k].colour] += p->term[k].w;
+    for (int k = 0; k < p->terms; k++)
+        p->term[k].w *= share[p->term[k].colour] / sum[p->term[k].colour];
+    return true;
 }
 
 /* Scales the shares to add up to 1 and checks that colours and terms fit each other. */
@@ -192,8 +210,9 @@ static bool finish_terms(struct crt_ini *ini)
                                 "expected terms that matter",
                                 p->name, k + 1);
     }
-    if (ini->terms_given && ini->like && !used[1])
-        p->colours = 1;
+    if (ini->terms_given && ini->like) /* colours of `like` that no term has any more */
+        while (p->colours > 1 && !used[p->colours - 1])
+            p->colours--;
     for (int i = 0; i < CRT_MAX_COLOURS; i++) {
         if (used[i] && (i >= p->colours || !(p->colour[i].y > 0)))
             return crt_ini_fail(ini,
@@ -206,7 +225,7 @@ static bool finish_terms(struct crt_ini *ini)
                                 "AMPLITUDE TAU colour %d'",
                                 p->name, i + 1, i + 1);
     }
-    return true;
+    return p->colours < 3 || balance_white(ini);
 }
 
 bool crt_ini_phosphor_end(struct crt_ini *ini)

@@ -65,24 +65,6 @@
     (.952 * .108 + .0428 * 2.782 + .0050 * 37.06 + 1.854e-4 * 250 + 1.449e-5 * 1600 +              \
      1.159e-6 * 10000)
 
-/* A/(t + alpha)^beta as log-spaced exponentials, ratio 3, tau from 1 ms/729 up to 1 ms: within 0.5
- * % below 5 µs, 1.2 % at 30 µs, 4 % at 100 µs. The power law alone would never end. */
-#define P22G_SUM                                                                                   \
-    (12.3714 * 1e-3 / 729 + 53.5125 * 1e-3 / 243 + 38.9564 * 1e-3 / 81 + 15.6578 * 1e-3 / 27 +     \
-     5.16288 * 1e-3 / 9 + 1.59364 * 1e-3 / 3 + .48121 * 1e-3 + 90 * 31.8e-9 + 100 * 227e-9 +       \
-     37 * 1.06e-6)
-#define P22B_SUM                                                                                   \
-    (18.5221 * 1e-3 / 729 + 62.1472 * 1e-3 / 243 + 41.2663 * 1e-3 / 81 + 15.968 * 1e-3 / 27 +      \
-     5.16099 * 1e-3 / 9 + 1.57093 * 1e-3 / 3 + .4687 * 1e-3 + 1100 * 39.8e-9 + 1000 * 145e-9 +     \
-     75 * 1.59e-6)
-#define P22R_SUM                                                                                   \
-    (4 * 442e-6 + 1.75 * 99.5e-6 + 2 * 19.9e-6 + 2.25 * 6.37e-6 + 15 * 227e-9 + 29 * 22.7e-9)
-/* As TERM, but t in seconds. */
-#define TERM_S(a, t, S)                                                                            \
-    {                                                                                              \
-        (a) * (t) / (S), (t), 0                                                                    \
-    }
-
 static const struct crt_phosphor rows[] = {
     {"P1",
      "GJ",
@@ -233,67 +215,7 @@ static const struct crt_phosphor rows[] = {
      CRT_FROM_TEKTRONIX,
      XY JANK FIT3,
      "JEDEC publishes 0.05 to 2 ms to 10 %."},
-    {"P22R",
-     "",
-     "red, colour television",
-     611,
-     1,
-     {{.625, .340}},
-     .terms = 6,
-     .term = {TERM_S(4, 442e-6, P22R_SUM), TERM_S(1.75, 99.5e-6, P22R_SUM),
-              TERM_S(2, 19.9e-6, P22R_SUM), TERM_S(2.25, 6.37e-6, P22R_SUM),
-              TERM_S(15, 227e-9, P22R_SUM), TERM_S(29, 22.7e-9, P22R_SUM)},
-     0,
-     UNPUBLISHED,
-     JEDEC(1 MS),
-     CRT_FROM_IMPULSE,
-     XY "Terms: impulse response measured on a colour monitor, M. G. Kuhn, Optical time-domain "
-        "eavesdropping risks of CRT displays, 2002; quoted, not checked (estimate).",
-     "The amplitudes of the first microsecond weigh little in energy: 88 % of it is in the 442 us "
-     "term."},
-    {"P22G",
-     "",
-     "green, colour television",
-     530,
-     1,
-     {{.285, .605}},
-     .terms = 10,
-     .term = {TERM_S(12.3714, 1e-3 / 729, P22G_SUM), TERM_S(53.5125, 1e-3 / 243, P22G_SUM),
-              TERM_S(38.9564, 1e-3 / 81, P22G_SUM), TERM_S(15.6578, 1e-3 / 27, P22G_SUM),
-              TERM_S(5.16288, 1e-3 / 9, P22G_SUM), TERM_S(1.59364, 1e-3 / 3, P22G_SUM),
-              TERM_S(.48121, 1e-3, P22G_SUM), TERM_S(90, 31.8e-9, P22G_SUM),
-              TERM_S(100, 227e-9, P22G_SUM), TERM_S(37, 1.06e-6, P22G_SUM)},
-     0,
-     UNPUBLISHED,
-     JEDEC(60 US),
-     CRT_FROM_IMPULSE,
-     XY "Terms: 2.1e-4/(t + 5.5 us)^1.1 + 90 exp(-t/31.8 ns) + 100 exp(-t/227 ns) + 37 exp(-t/1.06 "
-        "us), M. G. Kuhn, Optical time-domain eavesdropping risks of CRT displays, 2002; the power "
-        "law as seven exponentials.",
-     "The power law is cut off: no term above 1 ms (estimate). With terms up to 4.2 s the "
-     "modulation "
-     "at 60 Hz would be 1.17 instead of 1.96."},
-    {"P22B",
-     "",
-     "blue, colour television",
-     450,
-     1,
-     {{.150, .065}},
-     .terms = 10,
-     .term = {TERM_S(18.5221, 1e-3 / 729, P22B_SUM), TERM_S(62.1472, 1e-3 / 243, P22B_SUM),
-              TERM_S(41.2663, 1e-3 / 81, P22B_SUM), TERM_S(15.968, 1e-3 / 27, P22B_SUM),
-              TERM_S(5.16099, 1e-3 / 9, P22B_SUM), TERM_S(1.57093, 1e-3 / 3, P22B_SUM),
-              TERM_S(.4687, 1e-3, P22B_SUM), TERM_S(1100, 39.8e-9, P22B_SUM),
-              TERM_S(1000, 145e-9, P22B_SUM), TERM_S(75, 1.59e-6, P22B_SUM)},
-     0,
-     UNPUBLISHED,
-     JEDEC(22 US),
-     CRT_FROM_IMPULSE,
-     XY
-     "Terms: 1.9e-4/(t + 5 us)^1.11 + 1100 exp(-t/39.8 ns) + 1000 exp(-t/145 ns) + 75 "
-     "exp(-t/1.59 us), M. G. Kuhn, Optical time-domain eavesdropping risks of CRT displays, 2002; "
-     "the power law as seven exponentials.",
-     "The power law is cut off: no term above 1 ms (estimate)."},
+#include "crt/phosphor_rows_p22.inc"
     {"P24",
      "GE",
      "blue-green",
@@ -442,6 +364,23 @@ static const struct crt_phosphor rows[] = {
      CRT_FROM_JEDEC,
      XY JANK "Term: t10/ln 10.",
      "Y2SiO5:Ce."},
+    {"P49",
+     "",
+     "red layer 619 nm before a green layer 525 nm",
+     525,
+     2,
+     {{.672, .327}, {.315, .615}},
+     .terms = 2,
+     .term = {{.375, .5 MS, 0}, {.625, 24 MS / 2.302585092994046, 1}},
+     0,
+     UNPUBLISHED,
+     UNPUBLISHED,
+     CRT_FROM_IMPULSE,
+     XY "Terms: estimate. Red as YVO4:Eu, whose light lives half a millisecond; green as P1 "
+        "(Zn2SiO4:Mn), 24 ms to 10 %.",
+     "For penetration tubes. Colour 1 is the layer the beam meets first. The shares say what the "
+     "layers give for the same energy, 0.6 to 1: of red at 612 nm, the dominant wavelength, 1 W is "
+     "some 330 lm, of P1's green some 550 lm (estimate)."},
     {"P53",
      "KJ",
      "yellow-green",
@@ -481,6 +420,20 @@ static const struct crt_phosphor rows[] = {
      CRT_FROM_JEDEC,
      XY JANK "Term: t10/ln 10.",
      "Y2O3:Eu."},
+    {"P134",
+     "LA",
+     "amber, text monitors",
+     585,
+     1,
+     {{.545, .452}},
+     SINGLE(50 MS),
+     0,
+     UNPUBLISHED,
+     {50 MS, 0, 0, 0, "estimate: sold as of medium persistence, some tens of milliseconds"},
+     CRT_FROM_JEDEC,
+     "estimate: no table was at hand. x, y: nearly pure light of 585 nm, as amber screens look. "
+     "Term: t10/ln 10.",
+     "Amber monitors also had P3 and mixtures."},
 };
 
 const struct crt_phosphor *crt_phosphors(size_t *count)

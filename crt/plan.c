@@ -81,6 +81,7 @@ bool crt_drawn_init(struct crt_drawn *d, const struct crt_entry *entry, const st
     d->to = earlier(s->t1, to);
     d->sigma = entry->sigma_mm / grid->cell_mm;
     d->power = entry->power / (grid->cell_mm * grid->cell_mm);
+    d->light = entry->light;
     d->moving = d->dx != 0 || d->dy != 0;
     if (d->from >= d->to || !(d->sigma <= CRT_WIDEST))
         return false;
@@ -126,11 +127,12 @@ void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid
             for (size_t n = 0; n < entries->count; n++) {
                 const struct crt_entry *entry = &entries->at[n];
                 const struct crt_stroke *s = &entry->stroke;
-                if (entry->crest * most <= receivers[i].brightest || s->t0 < begin || s->t1 > end ||
+                double crest = entry->crest * entry->light[receivers[i].colour];
+                if (crest * most <= receivers[i].brightest || s->t0 < begin || s->t1 > end ||
                     !middle_on_grid(s, grid))
                     continue;
                 double mean = crt_share_over(share, s->t0, s->t1).mean;
-                receivers[i].brightest = fmax(receivers[i].brightest, entry->crest * mean);
+                receivers[i].brightest = fmax(receivers[i].brightest, crest * mean);
                 /* Within an exposure shares only fall: later strokes get no more. */
                 if (share->within)
                     most = fmin(most, mean * (1 + 1e-9));
@@ -153,12 +155,16 @@ static bool may_miss(const struct crt_drawn *d, struct crt_receiver *receiver, d
     return true;
 }
 
-/* The fit as a weight, or false when neither a constant nor a straight line is good enough. `crest` is that
- * of all the light, `part` the part of the time during which the spot moves. */
+/* The fit as a weight, or false when neither a constant nor a straight line is good enough. `crest`
+ * and `energy` are those of all the light of all colours alike, `part` the part of the time during
+ * which the spot moves. */
 static bool weigh_fit(const struct crt_drawn *d, struct crt_receiver *receiver,
                       const struct crt_share_fit *fit, double crest, double energy, double part,
                       bool instant, struct crt_weight *weight)
 {
+    double light = d->light[receiver->colour];
+    crest *= light;
+    energy *= light;
     double own = crest * fit->mean;
     bool constant =
         !d->moving || may_miss(d, receiver, crest * fit->off_constant, own, CRT_OFF_CONSTANT);

@@ -31,6 +31,7 @@
 /* Somewhere that light goes: a plane, or a film. */
 struct crt_receiver {
     float *cells;
+    int colour; /* of the phosphor, whose light it gets */
     int shares;
     struct crt_share share[2]; /* one after the other in time */
     double brightest;          /* crest of the brightest stroke in it, so far as known */
@@ -62,6 +63,7 @@ struct crt_drawn {
     double power;          /* per second, in cd·s/m² × cells */
     double sigma;          /* cells */
     double crest;          /* light of the brightest cell, energy share 1, cd·s/m² */
+    const double *light;   /* the entry's, per colour */
     int place;
     bool moving, whole;
 };
@@ -79,7 +81,7 @@ void crt_plan_brightest(const struct crt_entries *entries, const struct crt_grid
                         uint64_t from, uint64_t to, struct crt_receiver *receivers, int count);
 
 /* A spot that rests, moves and rests again, delivered as three strokes: whether entries at[0…2] are that,
- * wholly between `from` and `to`. */
+ * wholly between `from` and `to`. With the same power and sigma they have the same beam voltage. */
 bool crt_plan_is_rested(const struct crt_entry *at, size_t left, uint64_t from, uint64_t to);
 
 typedef void crt_plan_emit(void *context, const struct crt_piece_plan *piece);

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "crt/line_look.h"
 #include "crt/plan.h"
 #include "crt/tube_parts.h"
 
@@ -35,8 +36,10 @@ static void sum_piece(void *context, const struct crt_piece_plan *plan)
             sum1 += (double)f1[i];
         }
     }
-    double w1 = shape.turned ? -(double)plan->weight[0].w1 : (double)plan->weight[0].w1;
-    summing->sum += ((double)plan->weight[0].w0 * sum0 + w1 * sum1) / shape.area;
+    for (int c = 0; c < summing->tube->desc.phosphor->colours; c++) {
+        double w0 = (double)plan->weight[c].w0, w1 = (double)plan->weight[c].w1;
+        summing->sum += (w0 * sum0 + (shape.turned ? -w1 : w1) * sum1) / shape.area;
+    }
 }
 
 static void sum_entries(struct summing *summing, const struct crt_entries *entries, uint32_t mask,
@@ -44,20 +47,26 @@ static void sum_entries(struct summing *summing, const struct crt_entries *entri
 {
     const struct crt_tube *tube = summing->tube;
     const struct crt_phosphor *phosphor = tube->desc.phosphor;
-    struct crt_receiver receiver = {.shares = 1};
-    receiver.share[0] = (struct crt_share){.ref = tube->now, .to = end};
+    struct crt_receiver receivers[CRT_MAX_COLOURS];
+    for (int c = 0; c < phosphor->colours; c++) {
+        receivers[c] = (struct crt_receiver){.colour = c, .shares = 1};
+        receivers[c].share[0] = (struct crt_share){.ref = tube->now, .to = end};
+    }
     for (int k = 0; k < phosphor->terms; k++)
         if (mask >> k & 1)
-            crt_share_add(&receiver.share[0], phosphor->term[k].w, phosphor->term[k].tau_s);
+            crt_share_add(&receivers[phosphor->term[k].colour].share[0], phosphor->term[k].w,
+                          phosphor->term[k].tau_s);
     struct crt_drawn drawn;
-    const bool done = false;
+    const bool done[CRT_MAX_COLOURS] = {false};
     for (size_t i = 0; i < entries->count; i++)
         if (crt_drawn_init(&drawn, &entries->at[i], &tube->desc.grid, begin, end))
-            crt_plan(&drawn, &receiver, 1, &done, sum_piece, summing);
+            crt_plan(&drawn, receivers, phosphor->colours, done, sum_piece, summing);
 }
 
 double crt_pass_stored(const struct crt_tube *tube)
 {
+    if (tube->line_pass)
+        return crt_lines_stored(tube);
     struct summing summing = {tube, 0};
     sum_entries(&summing, &tube->journal.before, tube->quick, 0, tube->begin);
     sum_entries(&summing, &tube->journal.now, UINT32_MAX, tube->begin, tube->now);

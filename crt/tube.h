@@ -6,8 +6,9 @@
  *
  * Models:     gun (I ∝ drive^γ), a Gaussian spot that grows with current, the line integral of a
  *             spot moving at constant speed with end-point dwell (erf caps), time-stamped deposits,
- *             decay by the phosphor's sum of exponentials. Absolute: light is in cd·s/m² (fluence)
- *             or cd/m².
+ *             decay by the phosphor's sum of exponentials; on a penetration tube colour, spot and
+ *             place by the stroke's level (crt/penetration.h). Absolute: light is in cd·s/m²
+ *             (fluence) or cd/m².
  * Time:       picoseconds; epoch n ends at tick n+1 of desc.epoch.
  * Observing:  never changes state: an exposure or a probe is a function of planes (as of the last
  *             epoch) and journal (strokes since); a film's samples depend on its interval only,

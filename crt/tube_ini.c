@@ -95,6 +95,7 @@ static bool begin_section(struct crt_ini *ini, const char *title)
 {
     ini->keys = ini->seen_count = 0;
     ini->like = ini->terms_given = ini->rates = ini->own_source = ini->t10 = false;
+    ini->figures = false;
     memset(&ini->tube, 0, sizeof ini->tube);
     memset(&ini->phosphor, 0, sizeof ini->phosphor);
     const char *name;
@@ -148,64 +149,6 @@ static bool read_like(struct crt_ini *ini, const char *value)
     return true;
 }
 
-/* VALUE, or VALUE (LOW..HIGH), then the source. */
-static bool read_figure(struct crt_ini *ini, const char *key, const char *value)
-{
-    struct crt_figure *f = crt_tube_figure(&ini->tube, key, NULL);
-    if (!f)
-        return crt_ini_fail(ini,
-                            "a tube has no '%s'; expected like, description, phosphor or a "
-                            "figure shown by 'list tubes --why'",
-                            key);
-    const char *s = crt_read_number(value, &f->value);
-    f->low = f->high = f->value;
-    if (s && *crt_skip_blanks(s) == '(')
-        s = crt_read_range(s, &f->low, &f->high);
-    if (!s || (*s && *s != ' ' && *s != '\t' && *s != '('))
-        return crt_ini_fail(ini,
-                            "%s is '%s'; expected a number, perhaps its range and a source, as in "
-                            "'%s = 0.4 (0.3..0.5) measured'",
-                            key, value, key);
-    s = crt_skip_blanks(s);
-    f->source = *s ? crt_ini_keep(ini, s) : crt_ini_place(ini);
-    ini->last_text = &f->source;
-    if (!f->source)
-        return false;
-    struct crt_error why;
-    if (!crt_tube_check_figure(&ini->tube, key, &why))
-        return crt_ini_fail(ini, "%s", why.text);
-    return true;
-}
-
-static bool tube_key(struct crt_ini *ini, const char *key, const char *value)
-{
-    struct crt_tube_row *row = &ini->tube;
-    if (strcmp(key, "description") == 0)
-        return crt_ini_copy(ini, key, value, row->description, sizeof row->description);
-    if (strcmp(key, "phosphor") == 0)
-        return crt_ini_copy(ini, key, value, row->phosphor, sizeof row->phosphor);
-    return read_figure(ini, key, value);
-}
-
-static bool tube_end(struct crt_ini *ini)
-{
-#define X(field, unit, meaning)                                                                    \
-    if (crt_tube_has_figure(&ini->tube, #field) && !ini->tube.field.source)                        \
-        return crt_ini_fail(ini,                                                                   \
-                            "tube %s lacks %s (%s, %s); expected 'like = NAME' first, or every "   \
-                            "figure",                                                              \
-                            ini->tube.name, #field, meaning, unit);
-    CRT_TUBE_FIGURES(X)
-#undef X
-    if (!ini->tube.phosphor[0])
-        return crt_ini_fail(ini, "tube %s has no phosphor; expected 'phosphor = NAME'",
-                            ini->tube.name);
-    struct crt_error why;
-    if (!crt_tube_check(&ini->tube, &why))
-        return crt_ini_fail(ini, "%s", why.text);
-    return true;
-}
-
 static bool push_tube(struct crt_ini *ini)
 {
     struct crt_catalogue *c = ini->c;
@@ -236,7 +179,7 @@ static bool end_section(struct crt_ini *ini)
     ini->line = ini->section_line;
     ini->last_text = NULL;
     if (ini->kind == CRT_INI_TUBE)
-        ok = tube_end(ini) && push_tube(ini);
+        ok = crt_ini_tube_end(ini) && push_tube(ini);
     else if (ini->kind == CRT_INI_PHOSPHOR)
         ok = crt_ini_phosphor_end(ini) && push_phosphor(ini);
     ini->kind = CRT_INI_NONE;
@@ -285,7 +228,7 @@ static bool handle(struct crt_ini *ini, const char *section, const char *key, co
         return false;
     if (strcmp(key, "like") == 0)
         return read_like(ini, value);
-    return ini->kind == CRT_INI_TUBE ? tube_key(ini, key, value)
+    return ini->kind == CRT_INI_TUBE ? crt_ini_tube_key(ini, key, value)
                                      : crt_ini_phosphor_key(ini, key, value);
 }
 
@@ -405,13 +348,18 @@ static bool parse(struct crt_ini *ini)
 /* A tube may name a phosphor further down, so this waits for the end. */
 static bool check_phosphors(struct crt_ini *ini, size_t first_new)
 {
-    for (size_t i = first_new; i < ini->c->tube_count; i++)
-        if (!crt_catalogue_phosphor(ini->c, ini->c->tubes[i].phosphor))
+    for (size_t i = first_new; i < ini->c->tube_count; i++) {
+        const struct crt_tube_row *tube = &ini->c->tubes[i];
+        const struct crt_phosphor *phosphor = crt_catalogue_phosphor(ini->c, tube->phosphor);
+        struct crt_error why;
+        if (!phosphor)
             return crt_ini_fail(ini,
                                 "tube %s has phosphor '%s', which does not exist; expected a "
                                 "built-in one or a section [phosphor %s]",
-                                ini->c->tubes[i].name, ini->c->tubes[i].phosphor,
-                                ini->c->tubes[i].phosphor);
+                                tube->name, tube->phosphor, tube->phosphor);
+        if (!crt_tube_check_phosphor(tube, phosphor, &why))
+            return crt_ini_fail(ini, "%s", why.text);
+    }
     return true;
 }
 

@@ -1,8 +1,13 @@
 /* The built-in tubes: every figure with the range it is believed to lie in and where it is from.
+ * Vector tubes first; then raster tubes, of which the first is the one a raster head has unless told
+ * otherwise.
  *
  * No primary source for the times of DEC's vector and character generators was at hand; they are
  * estimates and say so. line_speed is always one unit pitch per vector_unit, so that the stated
  * luminance is that of the row's own vectors.
+ *
+ * Raster tubes stand for classes of monitors, not for one model each: data sheets of the time agree
+ * within the ranges given. field_duty is computed from the timing of the row's mode.
  */
 #include "crt/tube_table.h"
 
@@ -24,6 +29,19 @@
 #define REFRESH60      "convention: one refresh a line sync tick"
 #define NO_SOURCE      "estimate: no primary source at hand"
 #define PITCH_PER_UNIT "one unit pitch per vector_unit, so its range is that of vector_unit"
+
+#define GAMMA_RASTER "estimate: C. Poynton, 2.35 to 2.55 for the gun alone"
+#define GROWTH_RASTER                                                                              \
+    "estimate: a third of sigma in quadrature at full current, a well regulated high voltage"
+#define DMT        ": VESA Display Monitor Timing Standard"
+#define WHITE      "estimate: data sheets of such monitors promise about as much on a full white field"
+#define SCATTER    "estimate: tinted faceplate of a colour tube, aluminised screen"
+#define FACE_SHARE "estimate: what is seen beside the raster when it is sized to its edges"
+#define MULTISYNC  "estimate: data sheets of multi-frequency monitors of this class"
+#define FIXED_SYNC "estimate: a fixed-frequency monitor locks within a few per cent"
+#define GUARD      "estimate: well adjusted and degaussed; inside the guard band, so colours are pure"
+#define TRANSMITS  "estimate: shadow masks pass 18 to 25 % of the beam"
+#define SHARPNESS  "estimate: data sheets allow the corners 1.2 to 1.6 times the centre's spot"
 
 /* The VT11's generators, and the front of a DEC monitor. */
 #define VT11_TIMES                                                                                 \
@@ -175,6 +193,153 @@ static const struct crt_tube_row rows[] = {
      .character = FIG(240, 100, 500, "estimate: 48 positions of 5 us"),
      .dot = FIG(5, 2, 10, "estimate: a symbol generator faster than single points"),
      .intensify = FIG(50, 40, 60, "estimate: as long as a point takes")},
+#include "crt/tube_rows_penetration.inc"
+    {.name = "COLOR17",
+     .description = "17 inch colour monitor with 16 inch to see, delta triads",
+     .phosphor = "P22",
+     .kind = CRT_RASTER_TUBE,
+     .mask = CRT_MASK_DELTA,
+     .mode = "1024x768@60",
+     .width = FIG(320, 310, 328, "estimate: 16 inch viewable diagonal, 4:3"),
+     .height = FIG(240, 232, 246, "estimate: 16 inch viewable diagonal, 4:3"),
+     .border = FIG(4, 2, 8, FACE_SHARE),
+     .face_radius = FIG(1150, 900, 1500, "estimate: flat square tubes of the 1990s"),
+     .halation = FIG(0.02, 0.01, 0.05, SCATTER),
+     .spot = FIG(0.445, 0.35, 0.55,
+                 "estimate: 1.4 lines of XGA at 60 % of its peak, so that lines just merge"),
+     .spot_growth = FIG(0.075, 0.04, 0.12, GROWTH_RASTER),
+     .spot_exponent = FIG(0.6, 0.5, 0.7, POWER_OF_CURRENT),
+     .gun_exponent = FIG(2.4, 2.35, 2.55, GAMMA_RASTER),
+     .field_luminance = FIG(100, 80, 130, WHITE),
+     .field_duty = EXACT(1024.0 * 768 / (1344.0 * 806), "1024 of 1344 dots, 768 of 806 lines" DMT),
+     .bandwidth = FIG(100, 80, 135, "estimate: data sheets of XGA monitors"),
+     .spot_edge = FIG(1.25, 1.1, 1.5, SHARPNESS),
+     .h_min = FIG(30, 29, 31.4, MULTISYNC),
+     .h_max = FIG(70, 64, 72, MULTISYNC),
+     .v_min = FIG(50, 47, 55, MULTISYNC),
+     .v_max = FIG(120, 90, 130, MULTISYNC),
+     .clock_max = FIG(110, 80, 120, MULTISYNC),
+     .mask_pitch = FIG(0.28, 0.25, 0.31, "estimate: 0.28 mm was the usual dot pitch of the class"),
+     .mask_transmission = FIG(0.20, 0.18, 0.25, TRANSMITS),
+     .converge = FIG(0.08, 0.02, 0.20, "estimate: data sheets allow 0.2 to 0.3 mm in the centre"),
+     .converge_edge =
+         FIG(0.15, 0.05, 0.30, "estimate: data sheets allow 0.3 to 0.4 mm at the edge"),
+     .landing = FIG(0.003, 0, 0.010, GUARD),
+     .landing_edge = FIG(0.008, 0, 0.020, GUARD)},
+    {.name = "SLOT14",
+     .description = "14 inch VGA colour monitor, in-line guns",
+     .phosphor = "P22",
+     .kind = CRT_RASTER_TUBE,
+     .mask = CRT_MASK_SLOT,
+     .mode = "640x480@60",
+     .width = FIG(264, 250, 270, "estimate: 13 inch viewable diagonal, 4:3"),
+     .height = FIG(198, 188, 203, "estimate: 13 inch viewable diagonal, 4:3"),
+     .border = FIG(4, 2, 10, FACE_SHARE),
+     .face_radius = FIG(620, 500, 800, "estimate: 1R tubes, 1.77 times the diagonal"),
+     .halation = FIG(0.025, 0.01, 0.05, SCATTER),
+     .spot = FIG(0.50, 0.40, 0.65, "estimate: 1.2 lines of VGA at 60 % of its peak"),
+     .spot_growth = FIG(0.085, 0.04, 0.15, GROWTH_RASTER),
+     .spot_exponent = FIG(0.6, 0.5, 0.7, POWER_OF_CURRENT),
+     .gun_exponent = FIG(2.4, 2.35, 2.55, GAMMA_RASTER),
+     .field_luminance = FIG(90, 60, 120, WHITE),
+     .field_duty = EXACT(640.0 * 480 / (800.0 * 525), "640 of 800 dots, 480 of 525 lines" DMT),
+     .bandwidth = FIG(35, 28, 45, "estimate: data sheets of VGA monitors"),
+     .spot_edge =
+         FIG(1.55, 1.3, 1.8,
+             "estimate: the field that converges in-line beams by itself spreads them aside"),
+     .h_min = FIG(30, 29, 31.4, MULTISYNC),
+     .h_max = FIG(40, 38, 48, MULTISYNC),
+     .v_min = FIG(50, 45, 56, MULTISYNC),
+     .v_max = FIG(90, 72, 100, MULTISYNC),
+     .clock_max = FIG(45, 36, 50, MULTISYNC),
+     .mask_pitch = FIG(0.39, 0.31, 0.42, "estimate: VGA monitors had stripes of 0.31 to 0.42 mm"),
+     .mask_transmission = FIG(0.20, 0.18, 0.25, TRANSMITS),
+     .converge = FIG(0.05, 0.02, 0.15, "estimate: self-converging yoke"),
+     .converge_edge = FIG(0.10, 0.03, 0.30, "estimate: self-converging yoke"),
+     .landing = FIG(0.003, 0, 0.010, GUARD),
+     .landing_edge = FIG(0.010, 0, 0.025, GUARD)},
+    {.name = "GRILLE17",
+     .description = "17 inch colour monitor, two damper wires",
+     .phosphor = "P22",
+     .kind = CRT_RASTER_TUBE,
+     .mask = CRT_MASK_GRILLE,
+     .mode = "1280x1024@60",
+     .width = FIG(320, 310, 328, "estimate: 16 inch viewable diagonal, 4:3"),
+     .height = FIG(240, 232, 246, "estimate: 16 inch viewable diagonal, 4:3"),
+     .border = FIG(4, 2, 8, FACE_SHARE),
+     .face_radius = FIG(2000, 1200, 5000,
+                        "estimate: part of a cylinder, flat from top to bottom; here a sphere"),
+     .halation = FIG(0.02, 0.01, 0.05, SCATTER),
+     .spot = FIG(0.40, 0.30, 0.50, "estimate: 1.7 lines of SXGA at 60 % of its peak"),
+     .spot_growth = FIG(0.065, 0.03, 0.11, GROWTH_RASTER),
+     .spot_exponent = FIG(0.6, 0.5, 0.7, POWER_OF_CURRENT),
+     .gun_exponent = FIG(2.4, 2.35, 2.55, GAMMA_RASTER),
+     .field_luminance = FIG(120, 90, 150, WHITE),
+     .field_duty =
+         EXACT(1280.0 * 1024 / (1688.0 * 1066), "1280 of 1688 dots, 1024 of 1066 lines" DMT),
+     .bandwidth = FIG(150, 120, 200, "estimate: data sheets of SXGA monitors"),
+     .spot_edge = FIG(1.20, 1.1, 1.4, SHARPNESS),
+     .h_min = FIG(30, 29, 31.4, MULTISYNC),
+     .h_max = FIG(85, 80, 96, MULTISYNC),
+     .v_min = FIG(48, 47, 55, MULTISYNC),
+     .v_max = FIG(120, 100, 160, MULTISYNC),
+     .clock_max = FIG(150, 135, 180, MULTISYNC),
+     .mask_pitch = FIG(0.25, 0.24, 0.27, "estimate: 0.25 mm was the usual pitch of the class"),
+     .mask_transmission = FIG(0.22, 0.18, 0.25, TRANSMITS),
+     .converge = FIG(0.06, 0.02, 0.20, "estimate: data sheets allow 0.2 to 0.3 mm in the centre"),
+     .converge_edge =
+         FIG(0.12, 0.05, 0.30, "estimate: data sheets allow 0.3 to 0.4 mm at the edge"),
+     .landing = FIG(0.002, 0, 0.008, GUARD),
+     .landing_edge = FIG(0.008, 0, 0.016, GUARD)},
+    {.name = "MONO12",
+     .description = "12 inch text monitor; green with phosphor P31, amber with P134",
+     .phosphor = "P4",
+     .kind = CRT_RASTER_TUBE,
+     .mode = "640x480@60",
+     .width = FIG(204, 195, 215, "estimate: raster of 12 inch terminals, 4:3"),
+     .height = FIG(153, 145, 160, "estimate: raster of 12 inch terminals, 4:3"),
+     .border = FIG(8, 4, 15, "estimate: terminals left a dark margin around the raster"),
+     .face_radius = FIG(500, 400, 700, "estimate: 12 inch 90 degree tubes of the 1980s"),
+     .halation = FIG(0.04, 0.02, 0.08, "estimate: lightly tinted faceplate"),
+     .spot = FIG(0.45, 0.30, 0.55, "estimate: 1.4 lines of VGA at 60 % of its peak"),
+     .spot_growth = FIG(0.12, 0.06, 0.18, "estimate: half of sigma, in quadrature: a simple gun"),
+     .spot_exponent = FIG(0.6, 0.5, 0.7, POWER_OF_CURRENT),
+     .gun_exponent = FIG(2.4, 2.2, 2.6, GAMMA_RASTER),
+     .field_luminance = FIG(90, 50, 150, WHITE),
+     .field_duty = EXACT(640.0 * 480 / (800.0 * 525), "640 of 800 dots, 480 of 525 lines" DMT),
+     .bandwidth = FIG(30, 18, 40, "estimate: data sheets of text monitors"),
+     .spot_edge = FIG(1.3, 1.15, 1.6, SHARPNESS),
+     .h_min = FIG(30.5, 30, 31.4, FIXED_SYNC),
+     .h_max = FIG(32.5, 31.5, 33, FIXED_SYNC),
+     .v_min = FIG(50, 45, 59, FIXED_SYNC),
+     .v_max = FIG(75, 60, 80, FIXED_SYNC),
+     .clock_max = FIG(35, 26, 40, "estimate: what the video amplifier can still show")},
+    {.name = "TV12M",
+     .description = "12 inch monochrome television set",
+     .phosphor = "P4",
+     .kind = CRT_RASTER_TUBE,
+     .mode = "525/60i",
+     .width = FIG(9.6 INCH, 9.2 INCH, 10 INCH, "estimate: 12 inch viewable diagonal, 4:3"),
+     .height = FIG(7.2 INCH, 6.9 INCH, 7.5 INCH, "estimate: 12 inch viewable diagonal, 4:3"),
+     .border = FIG(5, 3, 10, FACE_SHARE),
+     .face_radius = FIG(480, 400, 600, "estimate: 12 inch 110 degree tubes"),
+     .halation = FIG(0.05, 0.02, 0.1, "estimate: thick faceplate, lightly tinted"),
+     .spot = FIG(0.70, 0.50, 0.85,
+                 "estimate: nearly two lines of the frame at 60 % of its peak, so that the 240 "
+                 "lines of one field nearly merge"),
+     .spot_growth = FIG(0.20, 0.10, 0.30, "estimate: 60 % of sigma, in quadrature: it blooms"),
+     .spot_exponent = FIG(0.6, 0.5, 0.7, POWER_OF_CURRENT),
+     .gun_exponent = FIG(2.5, 2.2, 2.8, GUN_EXPONENT),
+     .field_luminance = FIG(120, 70, 200, "estimate: some 35 foot-lamberts"),
+     .field_duty = EXACT(720.0 * 480 / (858.0 * 525),
+                         "720 of 858 dots, 480 of 525 lines: SMPTE 170M, dots of ITU-R BT.601"),
+     .bandwidth = FIG(4.5, 3, 5.5, "estimate: System M sends 4.2 MHz; the set loses some more"),
+     .spot_edge = FIG(1.4, 1.2, 1.8, SHARPNESS),
+     .h_min = FIG(15.2, 14.9, 15.6, "estimate: 15.734 kHz, held within a few per cent"),
+     .h_max = FIG(16.2, 15.8, 16.5, "estimate: 15.734 kHz, held within a few per cent"),
+     .v_min = FIG(47, 45, 56, "estimate: the hold control reaches 50 Hz"),
+     .v_max = FIG(63, 61, 66, "estimate: the hold control's other end"),
+     .clock_max = FIG(30, 15, 100, "estimate: a set knows no dots; what is finer is lost")},
 };
 
 const struct crt_tube_row *crt_tube_rows(size_t *count)

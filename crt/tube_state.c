@@ -5,10 +5,11 @@
 #include <math.h>
 #include <string.h>
 
+#include "crt/line_state.h"
 #include "crt/plan.h"
 #include "crt/tube_parts.h"
 
-#define VERSION 1
+#define VERSION 2
 
 /* Longer strokes are none that a head could have drawn, ps (two and a half hours). */
 #define LONGEST (UINT64_C(1) << 53)
@@ -119,6 +120,7 @@ static void planes_state(struct crt_planes *planes, struct crt_state *s)
 struct limits {
     uint64_t begin, last_start;
     double power, sigma_mm; /* the most; the least */
+    const struct crt_voltage *voltage;
 };
 
 static struct limits limits_of(const struct crt_tube *tube)
@@ -126,16 +128,16 @@ static struct limits limits_of(const struct crt_tube *tube)
     const struct crt_knobs neutral = {0, 1, 0};
     return (struct limits){tube->begin, tube->last_start,
                            crt_spot_at(tube->desc.row, &neutral, 1).power,
-                           crt_spot_sigma0(tube->desc.row) * (1 - 1e-9)};
+                           crt_spot_sigma0(tube->desc.row) * (1 - 1e-9), tube->voltage};
 }
 
 static bool sane_entry(const struct limits *limits, const struct crt_entry *entry)
 {
     const struct crt_stroke *stroke = &entry->stroke;
-    return stroke->t0 <= limits->last_start && stroke->t1 > stroke->t0 &&
-           stroke->t1 - stroke->t0 <= LONGEST && isfinite(stroke->x0) && isfinite(stroke->y0) &&
-           isfinite(stroke->x1) && isfinite(stroke->y1) && isfinite(stroke->drive) &&
-           entry->power > 0 && entry->power <= limits->power &&
+    return stroke->level < CRT_LEVELS && stroke->t0 <= limits->last_start &&
+           stroke->t1 > stroke->t0 && stroke->t1 - stroke->t0 <= LONGEST && isfinite(stroke->x0) &&
+           isfinite(stroke->y0) && isfinite(stroke->x1) && isfinite(stroke->y1) &&
+           isfinite(stroke->drive) && entry->power > 0 && entry->power <= limits->power &&
            entry->sigma_mm >= limits->sigma_mm && isfinite(entry->sigma_mm);
 }
 
@@ -150,10 +152,13 @@ static void entry_state(struct crt_entry *entry, const struct limits *limits, st
     crt_state_f32(s, &stroke->y1);
     crt_state_f32(s, &stroke->drive);
     crt_state_u32(s, &stroke->source);
+    crt_state_u32(s, &stroke->level);
     crt_state_f64(s, &entry->power);
     crt_state_f64(s, &entry->sigma_mm);
-    if (crt_state_check(s, sane_entry(limits, entry), "stroke"))
-        entry->crest = crt_plan_crest(entry);
+    if (!crt_state_check(s, sane_entry(limits, entry), "stroke"))
+        return;
+    entry->crest = crt_plan_crest(entry);
+    memcpy(entry->light, limits->voltage[stroke->level].light, sizeof entry->light);
 }
 
 /* Strokes in order of their begin. Those of the epoch before began before the running one, the
@@ -221,11 +226,11 @@ static void time_state(struct crt_tube *tube, struct crt_state *s)
     if (!crt_state_check(s, tube->now < CRT_STATE_LATEST && tube->last_start < CRT_STATE_LATEST,
                          "time"))
         tube->now = tube->last_start = 0;
-    uint64_t epoch = crt_tick_at(tube->desc.epoch, tube->now);
+    uint64_t epoch = crt_tube_epoch_at(tube, tube->now);
     assert(s->loading || epoch == tube->planes.epoch);
     tube->planes.epoch = epoch;
-    tube->begin = crt_tick_time(tube->desc.epoch, epoch);
-    tube->end = crt_tick_time(tube->desc.epoch, epoch + 1);
+    tube->begin = crt_tube_epoch_time(tube, epoch);
+    tube->end = crt_tube_epoch_time(tube, epoch + 1);
 }
 
 void crt_tube_state(struct crt_tube *tube, struct crt_state *s)
@@ -234,12 +239,16 @@ void crt_tube_state(struct crt_tube *tube, struct crt_state *s)
         crt_tube_cancel_films(tube);
     crt_state_begin(s, "TUBE", VERSION);
     grid_state(&tube->desc.grid, s);
+    if (tube->line_pass)
+        crt_line_timing_state(tube, s);
     time_state(tube, s);
     knobs_state(tube, s);
     planes_state(&tube->planes, s);
     struct limits limits = limits_of(tube);
     entries_state(&tube->journal.before, &limits, true, s);
     entries_state(&tube->journal.now, &limits, false, s);
+    if (tube->line_pass)
+        crt_lines_state(tube, s);
     crt_state_end(s);
 }
 

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "crt/mask.h"
 #include "crt/names.h"
 
 const struct crt_tube_row *crt_tube_row_find(const char *name)
@@ -192,12 +193,66 @@ static bool check_grid(const struct crt_tube_row *row, struct crt_error *err)
                     row->height.value + border, cols, rows, CRT_MAX_GRID_CELLS);
 }
 
+static bool check_voltages(const struct crt_tube_row *row, struct crt_error *err)
+{
+    double red = row->kv_red.value, orange = row->kv_orange.value, yellow = row->kv_yellow.value,
+           green = row->kv_green.value;
+    return (row->kv_dead.value < green && red < green && red <= orange && orange <= yellow &&
+            yellow <= green) ||
+           crt_fail(err,
+                    "tube %s: kv_red, kv_orange, kv_yellow and kv_green are %g, %g, %g and %g kV; "
+                    "they must rise, and the last be above kv_dead, %g kV",
+                    row->name, red, orange, yellow, green, row->kv_dead.value);
+}
+
 static bool check_units(const struct crt_tube_row *row, struct crt_error *err)
 {
     return (row->units_x.value == floor(row->units_x.value) &&
             row->units_y.value == floor(row->units_y.value)) ||
            crt_fail(err, "tube %s: units_x and units_y are %g and %g; they must be whole numbers",
                     row->name, row->units_x.value, row->units_y.value);
+}
+
+/* What a tube is, as a whole. */
+static bool check_kind(const struct crt_tube_row *row, struct crt_error *err)
+{
+    bool raster = row->kind == CRT_RASTER_TUBE;
+    if (!raster && row->mask != CRT_MASK_NONE)
+        return crt_fail(err, "tube %s: a vector tube has no mask", row->name);
+    if (raster && row->penetration)
+        return crt_fail(err, "tube %s: a raster tube has no penetration screen", row->name);
+    if (raster && !row->mode[0])
+        return crt_fail(err, "tube %s has no mode; a raster tube needs one, as 640x480@60",
+                        row->name);
+    return true;
+}
+
+static bool check_rates(const struct crt_tube_row *row, struct crt_error *err)
+{
+    if (!(row->h_min.value < row->h_max.value))
+        return crt_fail(err, "tube %s: h_min is %g and h_max %g kHz; h_max must be the higher",
+                        row->name, row->h_min.value, row->h_max.value);
+    if (!(row->v_min.value < row->v_max.value))
+        return crt_fail(err, "tube %s: v_min is %g and v_max %g Hz; v_max must be the higher",
+                        row->name, row->v_min.value, row->v_max.value);
+    return true;
+}
+
+/* A spot much smaller than the mask's pitch would fall between its holes. */
+static bool check_mask(const struct crt_tube_row *row, struct crt_error *err)
+{
+    double pitch = row->mask_pitch.value, most = crt_mask_most_transmission(row->mask);
+    if (!(row->spot.value >= pitch / 2))
+        return crt_fail(err,
+                        "tube %s: spot is %g mm and mask_pitch %g; the spot must be at least half "
+                        "as wide as the pitch",
+                        row->name, row->spot.value, pitch);
+    if (!(row->mask_transmission.value <= most))
+        return crt_fail(err,
+                        "tube %s: mask_transmission is %g; it must be at most %.3f, else the beams "
+                        "overlap on the phosphor",
+                        row->name, row->mask_transmission.value, most);
+    return true;
 }
 
 bool crt_tube_check(const struct crt_tube_row *row, struct crt_error *err)
@@ -207,7 +262,26 @@ bool crt_tube_check(const struct crt_tube_row *row, struct crt_error *err)
         return false;
     CRT_TUBE_FIGURES(X)
 #undef X
+    if (!check_kind(row, err))
+        return false;
     if (row->kind == CRT_VECTOR_TUBE && !check_units(row, err))
         return false;
+    if (row->kind == CRT_RASTER_TUBE && !check_rates(row, err))
+        return false;
+    if (row->mask != CRT_MASK_NONE && !check_mask(row, err))
+        return false;
+    if (crt_tube_has_group(row, CRT_GROUP_PENETRATION) && !check_voltages(row, err))
+        return false;
     return check_grid(row, err);
+}
+
+bool crt_tube_check_phosphor(const struct crt_tube_row *row, const struct crt_phosphor *phosphor,
+                             struct crt_error *err)
+{
+    if (crt_tube_guns(row) == 1 || phosphor->colours == 3)
+        return true;
+    return crt_fail(err,
+                    "tube %s has three guns and needs a phosphor of three colours, such as P22; %s "
+                    "has %d",
+                    row->name, phosphor->name, phosphor->colours);
 }

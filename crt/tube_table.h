@@ -98,7 +98,7 @@ enum crt_mask_kind {
 
 /* Raster tubes with three guns. */
 #define CRT_FIGURES_MASK(X)                                                                        \
-    X(mask_pitch, "mm", "triads: holes of one row; slots and grilles: one stripe of each colour")  \
+    X(mask_pitch, "mm", "triads: nearest holes; slots and grilles: one stripe of each colour")     \
     X(mask_transmission, "1", "share of the screen that one beam reaches through the mask")        \
     X(converge, "mm", "miss of the outer beams in the centre")                                     \
     X(converge_edge, "mm", "what is added to that in the corner")                                  \
@@ -162,10 +162,14 @@ struct crt_grid crt_tube_grid(const struct crt_tube_row *row);
 /* No grid has more cells than this (a plane of 64 MiB). */
 #define CRT_MAX_GRID_CELLS 16777216
 
-/* Whether every figure is a number within its possible range, ordered low <= value <= high, and the
- * grid has a sensible size; if not, one sentence naming tube, figure and limits. To be called after
- * figures were changed by hand. */
+/* Whether every figure is a number within its possible range, ordered low <= value <= high, figures
+ * that belong together agree, and the grid has a sensible size; if not, one sentence naming tube,
+ * figure and limits. To be called after figures were changed by hand. */
 bool crt_tube_check(const struct crt_tube_row *row, struct crt_error *err);
+
+/* Whether the tube can have the phosphor: three guns need three colours. */
+bool crt_tube_check_phosphor(const struct crt_tube_row *row, const struct crt_phosphor *phosphor,
+                             struct crt_error *err);
 
 /* The same for the figure called `name` alone. */
 bool crt_tube_check_figure(const struct crt_tube_row *row, const char *name, struct crt_error *err);

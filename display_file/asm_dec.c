@@ -23,6 +23,7 @@ static const struct {
     {"DNOP", 0164000},   {"DSTOP", 0172000},  {"STATSA", 0170000}, {"SINOF", 01000},
     {"SINON", 01400},    {"LPLITE", 0200},    {"LPDARK", 0300},    {"ITAL0", 040},
     {"ITAL1", 060},      {"SYNC", 04},        {"STATSB", 0174000}, {"INCR", 0100},
+    {"GREEN", 01000},    {"YELLOW", 01200},   {"ORANGE", 01400},   {"RED", 01600},
     {"INTX", 040000},    {"MAXX", 01777},     {"MAXY", 01377},     {"MINUSX", 020000},
     {"MINUSY", 020000},  {"MAXSX", 017600},   {"MAXSY", 077},      {"MISVX", 020000},
     {"MISVY", 0100},

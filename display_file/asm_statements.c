@@ -1,4 +1,4 @@
-/* Native statements for control words: modes, status, step, jump, nop. */
+/* Native statements for control words: modes, status, step, colour, jump, nop. */
 #include <stdio.h>
 #include <string.h>
 
@@ -52,6 +52,11 @@ static const struct option status_options[] = {
     /* The hardware's bit switches the spot off; the option says whether it is there. */
     {"penlight", false, 1, DF_LSA_INTENSIFY | DF_LSA_INTENSIFY_OFF, DF_LSA_INTENSIFY_OFF, 0},
     {"italics", false, 1, DF_LSA_ITALICS, DF_LSA_ITALICS_ON, 0},
+    {0},
+};
+
+static const struct option colour_options[] = {
+    {"step", false, DF_LSB_VALUE, DF_LSB_STEP, 0, 0},
     {0},
 };
 
@@ -188,6 +193,26 @@ static void statement_step(struct df_asm *as, unsigned what)
     df_asm_emit(as, (uint16_t)(DF_STATUS_B | DF_LSB_STEP | step));
 }
 
+/* The same word can set the step, too. */
+static void statement_colour(struct df_asm *as, unsigned what)
+{
+    (void)what;
+    static const char expected[] = "a colour: green, yellow, orange or red";
+    struct df_argument argument;
+    int32_t colour = 0;
+    uint16_t word = DF_STATUS_B | DF_LSB_COLOUR;
+    if (as->lex.token.kind == DF_TOKEN_END) {
+        df_asm_unexpected(as, expected);
+    } else if (df_asm_value(as, &argument)) {
+        df_asm_integer(as, &argument, DF_COLOUR_GREEN, DF_COLOUR_RED, "the colour", &colour);
+        if (df_token_is_op(&as->lex.token, ',')) {
+            df_lex_next(&as->lex);
+        }
+        take_options(as, colour_options, &word);
+    }
+    df_asm_emit(as, (uint16_t)(word | colour << DF_LSB_COLOUR_SHIFT));
+}
+
 static void statement_jump(struct df_asm *as, unsigned what)
 {
     (void)what;
@@ -224,6 +249,7 @@ static const struct df_asm_statement statements[] = {
     {"stop", statement_status, DF_LSA_STOP},
     {"sync", statement_status, DF_LSA_SYNC},
     {"step", statement_step, 0},
+    {"colour", statement_colour, 0},
     {"jump", statement_jump, 0},
     {"nop", statement_nop, 0},
     {"at", df_asm_data_pairs, DF_MODE_POINT << 1},

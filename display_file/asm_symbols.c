@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "display_file/asm_state.h"
+#include "display_file/df_regs.h"
 
 static char lower(char c)
 {
@@ -37,6 +38,10 @@ static const struct {
     {"longdash", 1},
     {"shortdash", 2},
     {"dotdash", 3},
+    {"green", DF_COLOUR_GREEN},
+    {"yellow", DF_COLOUR_YELLOW},
+    {"orange", DF_COLOUR_ORANGE},
+    {"red", DF_COLOUR_RED},
     {"nul", 0},
     {"bs", 8},
     {"lf", 10},

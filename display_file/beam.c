@@ -25,6 +25,7 @@ static void make_stroke(const struct df_dpu *dpu, const struct df_stretch *s, un
     stroke->t1 = s->t1;
     stroke->drive = (float)dpu->desc.drive[level];
     stroke->source = dpu->source;
+    stroke->level = df_dpu_level(dpu);
 }
 
 static void commit(struct df_dpu *dpu, const struct crt_stroke *stroke)

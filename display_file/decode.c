@@ -94,6 +94,24 @@ static bool status_a(uint16_t word, struct out *out)
     return exact == word;
 }
 
+static bool status_b(uint16_t word, struct out *out)
+{
+    static const char *const colours[] = {"green", "yellow", "orange", "red"};
+    unsigned step = word & DF_LSB_VALUE;
+    unsigned colour = (word & (unsigned)DF_LSB_COLOUR_BITS) >> DF_LSB_COLOUR_SHIFT;
+    bool steps = word & DF_LSB_STEP, colours_too = word & DF_LSB_COLOUR;
+    unsigned exact = DF_STATUS_B;
+    if (colours_too) {
+        add(out, "colour %s", colours[colour]);
+        exact |= DF_LSB_COLOUR | colour << DF_LSB_COLOUR_SHIFT;
+    }
+    if (steps) {
+        add(out, colours_too ? " step=%u" : "step %u", step);
+        exact |= DF_LSB_STEP | step;
+    }
+    return exact == word && exact != DF_STATUS_B;
+}
+
 static bool control(uint16_t word, struct out *out)
 {
     if (word < DF_SET_MODE + ((DF_MODE_RELPOINT + 1) << DF_MODE_SHIFT)) {
@@ -103,11 +121,10 @@ static bool control(uint16_t word, struct out *out)
         add(out, "nop");
         return true;
     }
-    if (word == (DF_STATUS_B | DF_LSB_STEP | (word & DF_LSB_VALUE))) {
-        add(out, "step %u", (unsigned)(word & DF_LSB_VALUE));
-        return true;
+    if (word >= DF_STATUS_B) {
+        return status_b(word, out);
     }
-    return word >= DF_STATUS_A && word < DF_STATUS_B && status_a(word, out);
+    return word >= DF_STATUS_A && status_a(word, out);
 }
 
 /* ---- data words ---- */

@@ -1,9 +1,10 @@
 /* df_regs.h — the display processor as a program sees it: registers, bits, words and modes.
  *
- * Models:     the VT11's programming interface; usable from C and from assembly: #defines only.
+ * Models:     the VT11's programming interface, and of the VS60's what sets the colour; usable from
+ *             C and from assembly: #defines only.
  * Units:      register values are 16-bit; offsets are bytes from the DPU base.
- * Source:     DEC EK-VT11-TM-001 (VT11 display processor).
- * Not modelled: the registers and words that only the VS60 has.
+ * Source:     DEC EK-VT11-TM-001 (VT11 display processor), EK-VT48-TM-001 (VS60).
+ * Not modelled: the other registers and words that only the VS60 has.
  */
 #ifndef DF_REGS_H
 #define DF_REGS_H
@@ -13,6 +14,8 @@
 #define DF_MPR 2 /* read: mode and status; write: rings the bell */
 #define DF_XPR 4 /* read: graphplot step and X */
 #define DF_YPR 6 /* read: character low six bits and Y */
+
+#define DF_SCR 022 /* VS60, read: the colour; of its other bits none is modelled, they read 0 */
 
 /* MPR bits. */
 #define DF_MPR_STOP      0100000 /* internal stop */
@@ -29,6 +32,9 @@
 #define DF_XPR_X    0001777
 #define DF_YPR_CHAR 0176000
 #define DF_YPR_Y    0001777
+
+#define DF_SCR_COLOUR       0000014
+#define DF_SCR_COLOUR_SHIFT 2
 
 /* Control words. */
 #define DF_CONTROL  0100000 /* bit 15: control, else data */
@@ -73,8 +79,15 @@
 #define DF_LSA_SYNC          0000004 /* wait for the line sync tick; no change-enable */
 
 /* Parameters of Load Status B. */
-#define DF_LSB_STEP  0000100 /* change graphplot step to bits 77 */
-#define DF_LSB_VALUE 0000077
+#define DF_LSB_STEP         0000100 /* change graphplot step to bits 77 */
+#define DF_LSB_VALUE        0000077
+#define DF_LSB_COLOUR       0001000 /* VS60: change colour to bits 600; the VT11 ignores both */
+#define DF_LSB_COLOUR_BITS  0000600
+#define DF_LSB_COLOUR_SHIFT 7
+#define DF_COLOUR_GREEN     0
+#define DF_COLOUR_YELLOW    1
+#define DF_COLOUR_ORANGE    2
+#define DF_COLOUR_RED       3
 
 /* Data words. */
 #define DF_BEAM_ON        0040000 /* I */

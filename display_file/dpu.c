@@ -76,6 +76,7 @@ static void limit_timing(struct df_timing *t)
     limit(&t->character_ps, 0);
     limit(&t->dot_ps, 1);
     limit(&t->intensify_ps, 0);
+    limit(&t->colour_switch_ps, 0);
     limit(&t->average_ps, 0);
     if (t->average_ps == 1) /* half of it must still be something */
         t->average_ps = 2;
@@ -113,6 +114,7 @@ void df_dpu_reset(struct df_dpu *dpu, uint64_t t)
     fresh.mode = DF_MODE_CHAR;
     fresh.intensity = 4;
     fresh.line_type = DF_LINE_SOLID;
+    fresh.colour = DF_COLOUR_GREEN;
     fresh.pen_intensify = true;
     *dpu = fresh;
 }
@@ -145,9 +147,21 @@ uint16_t df_dpu_read(const struct df_dpu *dpu, unsigned offset)
     case DF_YPR:
         return (uint16_t)((dpu->character & 077u) << 10 |
                           (latched ? dpu->hit_y : (unsigned)dpu->y & DF_YPR_Y));
+    case DF_SCR:
+        return dpu->desc.personality == DF_VS60 ? (uint16_t)(dpu->colour << DF_SCR_COLOUR_SHIFT)
+                                                : 0;
     default:
         return 0;
     }
+}
+
+enum crt_level df_dpu_level(const struct df_dpu *dpu)
+{
+    static const enum crt_level levels[] = {[DF_COLOUR_GREEN] = CRT_LEVEL_GREEN,
+                                            [DF_COLOUR_YELLOW] = CRT_LEVEL_YELLOW,
+                                            [DF_COLOUR_ORANGE] = CRT_LEVEL_ORANGE,
+                                            [DF_COLOUR_RED] = CRT_LEVEL_RED};
+    return dpu->desc.personality == DF_VS60 ? levels[dpu->colour] : CRT_LEVEL_ONLY;
 }
 
 /* What START and (assumed) RESUME have in common: every cause of a stop is forgotten. */

@@ -1,4 +1,4 @@
-/* dpu.h — the display processor: a DEC VT11, word by word.
+/* dpu.h — the display processor: a DEC VT11, word by word, or with the colours of the VS60.
  *
  *                    ┌───────────────────────────────┐
  *   display memory ─▶│ fetch ─▶ decode ─▶ vector gen │─▶ offer ─▶ (pen) ─▶ commit ─▶ tube
@@ -8,6 +8,10 @@
  * Models:     the VT11 instruction set bit for bit: modes, data, status words, registers and their
  *             write effects, wrap at 12 bits, dashes, blink, italics, shift-out; stop, pen,
  *             character and bus time-out interrupts; the re-fetch hang of illegal words.
+ *             Personality VS60: Load Status B sets the colour, which strokes carry as their level;
+ *             a change takes colour_switch_ps more, with the beam off. Assumed: setting the colour
+ *             that is set takes nothing; the colour is green after reset and START leaves it; the
+ *             processor fetches nothing while the voltage changes. The rest is the VT11's.
  * Time:       picoseconds; `t` is the fetch time of the next word. Every word costs more than 0 ps.
  *             The generators start when the word (or its last word) has been decoded.
  * Position:   registers in head units; strokes leave in tube millimetres through desc.screen.
@@ -15,8 +19,10 @@
  *             nothing.
  * Errors:     guest trouble becomes a status bit, an interrupt or a hang as in hardware; misuse
  *             asserts.
- * Source:     DEC EK-VT11-TM-001; open questions are marked "assumed" where they are decided.
- * Not modelled: bus contention, analog drift, the VS60 superset (illegal words here).
+ * Source:     DEC EK-VT11-TM-001, EK-VT48-TM-001 (VS60); open questions are marked "assumed" where
+ *             they are decided.
+ * Not modelled: bus contention, analog drift, the rest of the VS60 (its words are the VT11's here,
+ *             illegal ones among them).
  */
 #ifndef DF_DPU_H
 #define DF_DPU_H
@@ -28,6 +34,11 @@
 #include "crt/piece.h"
 #include "crt/state.h"
 #include "display_file/timing.h"
+
+enum df_personality {
+    DF_VT11,
+    DF_VS60 /* so far: colour only */
+};
 
 enum df_interrupt { DF_INT_STOP, DF_INT_PEN, DF_INT_CHARACTER, DF_INT_COUNT };
 
@@ -59,6 +70,7 @@ struct df_wires {
 };
 
 struct df_dpu_desc {
+    enum df_personality personality;
     const uint16_t *memory; /* display memory, words */
     uint32_t memory_bytes;  /* fetches at or above time out */
     struct crt_screen screen;
@@ -93,6 +105,7 @@ struct df_usage {
     uint64_t moves;      /* beam-off moves */
     uint64_t strokes;    /* committed */
     uint64_t lit_ps;     /* with the beam on */
+    uint64_t colours;    /* changes of colour */
 };
 
 struct df_dpu {
@@ -108,6 +121,7 @@ struct df_dpu {
 
     /* registers (dpu_control.c sets them, dpu.c reads them out) */
     unsigned mode, intensity, line_type, step;
+    unsigned colour; /* DF_COLOUR_…; on a VT11 never changed */
     unsigned opcode; /* MPR 74000: assumed to be of the last control word or datum */
     bool blink, italics, shift_out, pen_interrupt, pen_intensify, stop_interrupt;
     bool internal_stop, hit, edge;
@@ -136,7 +150,7 @@ struct df_dpu {
 /* Copies desc and resets at time 0. Times in desc.timing are brought into 1 ps … 1 s where the
  * beam needs them not to be 0 (fetch, vector unit, point, dot). */
 void df_dpu_init(struct df_dpu *dpu, const struct df_dpu_desc *desc);
-/* Power-on state: stopped, character mode, intensity 4, solid, interrupts off, pen intensify on.
+/* Power-on state: stopped, character mode, intensity 4, solid, green, interrupts off, pen intensify on.
  * Never takes back strokes already committed: `t` is the later of the given time and theirs. */
 void df_dpu_reset(struct df_dpu *dpu, uint64_t t);
 
@@ -144,6 +158,9 @@ void df_dpu_reset(struct df_dpu *dpu, uint64_t t);
  * finished what it is drawing, if that is later. Other offsets read 0 and ignore writes. */
 uint16_t df_dpu_read(const struct df_dpu *dpu, unsigned offset);
 void df_dpu_write(struct df_dpu *dpu, unsigned offset, uint16_t value, uint64_t t);
+
+/* What strokes carry now: CRT_LEVEL_ONLY on a VT11. */
+enum crt_level df_dpu_level(const struct df_dpu *dpu);
 
 /* Executes the word at dpu->t. Requires DF_RUNNING. */
 void df_dpu_step(struct df_dpu *dpu);

@@ -1,4 +1,4 @@
-/* Control words: what each of the sixteen codes of bits 14:11 does on a VT11. */
+/* Control words: what each of the sixteen codes of bits 14:11 does on a VT11, and colour on a VS60. */
 #include "display_file/df_regs.h"
 #include "display_file/dpu_internal.h"
 
@@ -58,8 +58,22 @@ static void load_status_a(struct df_dpu *dpu, uint16_t word)
     }
 }
 
+/* The beam stays off until its voltage is that of the new colour. */
+static void set_colour(struct df_dpu *dpu, unsigned colour)
+{
+    uint64_t t0, t1;
+
+    if (colour == dpu->colour)
+        return;
+    dpu->colour = colour;
+    dpu->usage.colours++;
+    df_dpu_schedule(dpu, dpu->desc.timing.colour_switch_ps, 0, &t0, &t1);
+}
+
 static void load_status_b(struct df_dpu *dpu, uint16_t word)
 {
+    if (dpu->desc.personality == DF_VS60 && word & DF_LSB_COLOUR)
+        set_colour(dpu, (word & (unsigned)DF_LSB_COLOUR_BITS) >> DF_LSB_COLOUR_SHIFT);
     if (word & DF_LSB_STEP)
         dpu->step = word & DF_LSB_VALUE;
     dpu->instructions++;

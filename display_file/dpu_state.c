@@ -3,7 +3,7 @@
 #include "display_file/dpu_internal.h"
 #include "display_file/vecgen.h"
 
-#define VERSION 1
+#define VERSION 2
 
 /* Longer than any vector is lit (1023 units and its rests, at 1 s each), ps. */
 #define LONGEST (UINT64_C(1) << 50)
@@ -34,6 +34,7 @@ static void running_state(struct df_dpu *dpu, struct crt_state *s)
     crt_state_u64(s, &dpu->usage.moves);
     crt_state_u64(s, &dpu->usage.strokes);
     crt_state_u64(s, &dpu->usage.lit_ps);
+    crt_state_u64(s, &dpu->usage.colours);
 }
 
 static void registers_state(struct df_dpu *dpu, struct crt_state *s)
@@ -42,6 +43,7 @@ static void registers_state(struct df_dpu *dpu, struct crt_state *s)
     crt_state_unsigned(s, &dpu->intensity, 7);
     crt_state_unsigned(s, &dpu->line_type, DF_LINE_DOTDASH);
     crt_state_unsigned(s, &dpu->step, DF_LSB_VALUE);
+    crt_state_unsigned(s, &dpu->colour, DF_COLOUR_RED);
     crt_state_unsigned(s, &dpu->opcode, 15);
     crt_state_bool(s, &dpu->blink);
     crt_state_bool(s, &dpu->italics);
@@ -95,7 +97,8 @@ static bool in_12_bits(int32_t v)
 static bool sane_registers(const struct df_dpu *dpu)
 {
     return in_12_bits(dpu->x) && in_12_bits(dpu->y) && dpu->hit_x <= DF_XPR_X &&
-           dpu->hit_y <= DF_YPR_Y && dpu->character <= 0177 && dpu->phase <= DF_PHASE_ADDRESS;
+           dpu->hit_y <= DF_YPR_Y && dpu->character <= 0177 && dpu->phase <= DF_PHASE_ADDRESS &&
+           (dpu->desc.personality == DF_VS60 || dpu->colour == DF_COLOUR_GREEN);
 }
 
 static bool sane_addresses(const struct df_dpu *dpu)

@@ -20,5 +20,6 @@ struct df_timing df_timing_of_tube(const struct crt_tube_row *row, enum df_timin
         .character_ps = picoseconds(&row->character, choice),
         .dot_ps = picoseconds(&row->dot, choice),
         .intensify_ps = picoseconds(&row->intensify, choice),
+        .colour_switch_ps = picoseconds(&row->colour_switch, choice),
     };
 }

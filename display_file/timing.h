@@ -2,7 +2,7 @@
  *
  * Models:     word fetch and decode; vector set-up plus time per unit of the longer axis; settling
  *             after beam-off moves (fixed part + per unit, with a ceiling); points; character cells
- *             and dots; the spot of pen intensify.
+ *             and dots; the spot of pen intensify; the dark time of a change of colour.
  * Units:      picoseconds; per-unit times in picoseconds a unit.
  * average_ps: when not 0 every instruction takes exactly this long whatever it does (a datum of two
  *             words is one instruction), for textbook arithmetic; beam times inside are scaled to
@@ -29,7 +29,8 @@ struct df_timing {
     uint64_t point_ps;
     uint64_t character_ps, dot_ps;
     uint64_t intensify_ps;
-    uint64_t average_ps; /* 0 = off */
+    uint64_t colour_switch_ps; /* 0: the tube has but one voltage */
+    uint64_t average_ps;       /* 0 = off */
 };
 
 struct df_timing df_timing_of_tube(const struct crt_tube_row *row, enum df_timing_choice choice);

@@ -1,10 +1,11 @@
-/* list — what there is to choose from: tubes, phosphors, programs; and why. */
+/* list — what there is to choose from: tubes, phosphors, video modes, programs; and why. */
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "crt/catalogue_text.h"
 #include "emu/command.h"
+#include "emu/list_modes.h"
 #include "emu/roms.h"
 
 struct options {
@@ -90,9 +91,19 @@ static int list_rows(const struct options *o, bool tubes, const char *name)
     return ok ? VM_EXIT_OK : fail(status, &err);
 }
 
+static int list_modes(const struct options *o, const char *name)
+{
+    struct crt_error err;
+    if (name && !vm_explain_mode(name, &err))
+        return fail(VM_EXIT_USAGE, &err);
+    if (!name)
+        vm_list_modes(o->why);
+    return VM_EXIT_OK;
+}
+
 static int run(int argc, char **argv)
 {
-    static const char *const lists[] = {"tubes", "phosphors", "roms"};
+    static const char *const lists[] = {"tubes", "phosphors", "modes", "roms"};
     struct options o = {0};
     const struct vm_option_table tables[] = {VM_OPTION_TABLE(rows, &o)};
     struct vm_args args;
@@ -106,23 +117,24 @@ static int run(int argc, char **argv)
         return list_roms(&o);
     if (strcmp(what, "tubes") == 0 || strcmp(what, "phosphors") == 0)
         return list_rows(&o, what[0] == 't', name);
-    const char *near = vm_nearest(what, lists, 3);
     if (strcmp(what, "modes") == 0)
-        crt_fail(&err, "there are no modes yet: they belong to the raster head");
-    else
-        crt_fail(&err, "'%.60s' cannot be listed; give %s", what,
-                 near ? near : "tubes, phosphors or roms");
+        return list_modes(&o, name);
+    const char *near = vm_nearest(what, lists, 4);
+    crt_fail(&err, "'%.60s' cannot be listed; give %s", what,
+             near ? near : "tubes, phosphors, modes or roms");
     return fail(VM_EXIT_USAGE, &err);
 }
 
 const struct vm_command vm_command_list = {
     "list",
-    "tubes|phosphors|roms [NAME] [--why]",
+    "tubes|phosphors|modes|roms [--why]",
     "List what there is to choose from",
-    "NAME or --why: every figure with the range it is believed to lie in and its source.",
+    "With a NAME behind it or --why: every figure with the range it is believed to lie in and its source.",
     "  kinescope list tubes\n"
     "  kinescope list tubes VR17\n"
     "  kinescope list phosphors --why\n"
+    "  kinescope list modes\n"
+    "  kinescope list modes 1024x768@60\n"
     "  kinescope list tubes --tubes my-tubes.ini",
     run,
 };

@@ -131,12 +131,12 @@ static bool window_has_use(const struct options *o, const char *path, struct crt
 static int run_window(const struct options *o, const char *path)
 {
     struct vm_settings settings;
-    struct crt_glass_settings light;
+    struct vm_lights lights;
     struct crt_error err;
     /* Options are checked before a window appears. */
     int status = vm_settings_resolve(&o->settings, NULL, NULL, &settings, &err);
     if (!status)
-        status = vm_light_settings(&o->light, &settings, &light, &err);
+        status = vm_light_settings(&o->light, &settings, &lights, &err);
     vm_settings_free(&settings);
     if (!status && !window_has_use(o, path, &err))
         status = VM_EXIT_USAGE;

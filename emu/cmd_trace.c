@@ -12,6 +12,7 @@
 #include "emu/summary.h"
 #include "emu/trace_lines.h"
 #include "emu/trouble.h"
+#include "emu/view.h"
 
 struct options {
     const char *what, *out;
@@ -25,18 +26,19 @@ struct options {
 #define ROW(field) offsetof(struct options, field)
 
 static const struct vm_option rows[] = {
-    {"what", 0, VM_OPT_CHOICE, ROW(what), "dpu|beam|cpu|irq",
+    {"what", 0, VM_OPT_CHOICE, ROW(what), "dpu|beam|cpu|irq|video",
      "dpu: a line per word executed (default); beam: a line per piece of lit beam, the .beam "
      "format; "
      "cpu: a line per instruction with its effect; irq: a line per change of an interrupt line, "
      "and "
-     "per interrupt taken",
+     "per interrupt taken; video: sync pulses, rows of the picture and what is taken at retrace",
      0, 0},
     {"for", 0, VM_OPT_TIME, ROW(length), "T",
      "trace this much simulated time; default: dpu one refresh, beam to the moment capture would "
-     "choose, cpu 1 ms, irq 0.5 s",
+     "choose, cpu 1 ms, irq 0.5 s, video one frame",
      0, 0},
-    {"from", 0, VM_OPT_TIME, ROW(from), "T", "begin to trace then; default power-on", 0, 0},
+    {"from", 0, VM_OPT_TIME, ROW(from), "T",
+     "begin to trace then; default power-on, of video when it is on", 0, 0},
     {"summary", 0, VM_OPT_FLAG, ROW(summary), "",
      "print how long a refresh takes, with its uncertainty, instead of the events", 0, 0},
     {"out", 'o', VM_OPT_STRING, ROW(out), "FILE", "where the lines go; default standard output", 0,
@@ -61,9 +63,9 @@ static int fail(int status, const struct crt_error *err)
 
 static enum vm_trace_what what_of(const struct trace *t)
 {
-    static const char *const names[] = {"dpu", "beam", "cpu", "irq"};
+    static const char *const names[] = {"dpu", "beam", "cpu", "irq", "video"};
     int what = 0;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 5; i++)
         if (t->o.what && strcmp(t->o.what, names[i]) == 0)
             what = i;
     return (enum vm_trace_what)what;
@@ -80,6 +82,11 @@ static int default_end(struct trace *t, struct vm_rig *rig, uint64_t from, uint6
         *end = *end > from ? *end : from + 1;
         return status;
     }
+    if (what == VM_TRACE_VIDEO) {
+        vm_machine_run(rig->machine, from);
+        *end = from + vm_view_exposure(VM_VIEW_RASTER, rig->machine);
+        return VM_EXIT_OK;
+    }
     if (what == VM_TRACE_CPU || what == VM_TRACE_IRQ) {
         *end = from + (what == VM_TRACE_CPU ? CRT_PS_PER_MS : VM_SETTLED_PS);
         return VM_EXIT_OK;
@@ -95,13 +102,21 @@ static int default_end(struct trace *t, struct vm_rig *rig, uint64_t from, uint6
 /* A rig as --load-state has it; lit only for --save-state. */
 static bool open_rig(struct trace *t, bool lit, struct vm_rig *rig, struct crt_error *err)
 {
-    struct crt_tube_desc tube = vm_settings_tube(&t->settings);
-    if (!vm_rig_open(rig, &t->settings, &t->input, DF_TIMING_VALUE, lit ? &tube : NULL, err))
+    struct vm_tubes tubes = vm_settings_tubes(&t->settings, t->settings.view);
+    if (!vm_rig_open(rig, &t->settings, &t->input, DF_TIMING_VALUE, lit ? &tubes : NULL, err))
         return false;
     if (vm_saved_load(&t->o.saved, rig, &t->settings, &t->input, err))
         return true;
     vm_rig_close(rig);
     return false;
+}
+
+/* Until the program switches the raster head on, if it does soon. */
+static void wait_for_video(struct vm_machine *m)
+{
+    uint64_t limit = m->now + VM_SETTLED_PS;
+    while (m->now < limit && !vm_machine_uses_raster(m))
+        vm_machine_run(m, m->now + CRT_PS_PER_MS);
 }
 
 static int find_times(struct trace *t, struct vm_rig *rig, uint64_t *from, uint64_t *end,
@@ -116,6 +131,9 @@ static int find_times(struct trace *t, struct vm_rig *rig, uint64_t *from, uint6
             crt_fail(err, "--from is before the machine of --load-state");
             return VM_EXIT_USAGE;
         }
+    } else if (what_of(t) == VM_TRACE_VIDEO) {
+        wait_for_video(rig->machine);
+        *from = rig->machine->now;
     }
     if (!t->o.length.given)
         return default_end(t, rig, *from, end, err);
@@ -142,9 +160,11 @@ static int plan(struct trace *t, uint64_t *from, uint64_t *end, struct crt_error
 static void print_header(const struct trace *t, uint64_t end)
 {
     struct crt_beam_header header = {.tick = t->settings.tick, .end = end};
-    snprintf(header.tube, sizeof header.tube, "%s", t->settings.row.name);
-    if (strcmp(t->settings.phosphor.name, t->settings.row.phosphor) != 0)
-        snprintf(header.phosphor, sizeof header.phosphor, "%s", t->settings.phosphor.name);
+    snprintf(header.tube, sizeof header.tube, "%s", t->settings.monitor[VM_VECTOR].row.name);
+    if (strcmp(t->settings.monitor[VM_VECTOR].phosphor.name,
+               t->settings.monitor[VM_VECTOR].row.phosphor) != 0)
+        snprintf(header.phosphor, sizeof header.phosphor, "%s",
+                 t->settings.monitor[VM_VECTOR].phosphor.name);
     crt_beam_write_header(t->out, &header);
 }
 
@@ -175,7 +195,7 @@ static int print_events(struct trace *t, struct crt_error *err)
         return VM_EXIT_TROUBLE;
     if (what_of(t) == VM_TRACE_BEAM)
         print_header(t, end);
-    vm_trace_lines_init(&lines, what_of(t), t->out, rig.board);
+    vm_trace_lines_init(&lines, what_of(t), t->out, rig.machine);
     struct vm_progress progress;
     vm_progress_begin(&progress);
     vm_progress_run(&progress, rig.machine, from);
@@ -237,7 +257,8 @@ static int run(int argc, char **argv)
     if (t.input.is_recording && (t.o.summary || what != VM_TRACE_BEAM)) {
         crt_fail(&err, "%s is a recording; it has no words, only --what beam", t.input.name);
         status = fail(VM_EXIT_USAGE, &err);
-    } else if (!t.input.has_firmware && (what == VM_TRACE_CPU || what == VM_TRACE_IRQ)) {
+    } else if (!t.input.has_firmware &&
+               (what == VM_TRACE_CPU || what == VM_TRACE_IRQ || what == VM_TRACE_VIDEO)) {
         crt_fail(&err, "--what %s needs firmware; %s runs without a processor", t.o.what,
                  t.input.name);
         status = fail(VM_EXIT_USAGE, &err);
@@ -254,7 +275,7 @@ static int run(int argc, char **argv)
 
 const struct vm_command vm_command_trace = {
     "trace",
-    "FILE [--what dpu|beam|cpu|irq]",
+    "FILE [--what dpu|beam|cpu|irq|video]",
     "Print what the machine does, one line per event",
     "dpu <time_ps> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo: a word, fetched at "
     "that time "

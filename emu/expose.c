@@ -1,7 +1,5 @@
 #include "emu/expose.h"
 
-#include <string.h>
-
 static uint64_t instant(const struct vm_shots *s, uint64_t n)
 {
     return n ? s->from + crt_tick_time(s->fps, n) : s->from;
@@ -19,40 +17,33 @@ uint64_t vm_shots_overlap(const struct vm_shots *s)
     return n < s->count ? n : s->count;
 }
 
-/* Opens film n, or clears it when its instant is power-on and there is nothing to gather. */
-static void open_film(struct vm_rig *rig, const struct vm_shots *s, struct vm_progress *progress,
-                      uint64_t n, struct crt_film *film)
+/* Opens frame n, or clears it when its instant is power-on and there is nothing to gather. */
+static void open_frame(struct vm_rig *rig, const struct vm_shots *s, struct vm_progress *progress,
+                       uint64_t n, struct vm_frame *frame)
 {
     uint64_t t0 = opening(s, n), t1 = instant(s, n);
     vm_progress_run(progress, rig->machine, t0);
-    if (t1 > t0) {
-        crt_film_open(rig->tube, film, t0, t1);
-        return;
-    }
-    size_t cells = (size_t)film->grid.cols * (size_t)film->grid.rows;
-    for (int c = 0; c < film->colours; c++)
-        memset(film->light[c], 0, cells * sizeof(float));
-    film->t0 = 0;
-    film->t1 = 1;
-    film->complete = true;
+    if (t1 > t0)
+        vm_frame_open(frame, rig, t0, t1);
+    else
+        vm_frame_clear(frame);
 }
 
 static bool expose_all(struct vm_rig *rig, const struct vm_shots *s, struct vm_progress *progress,
-                       struct crt_film *ring, uint64_t room, vm_film_sink sink, void *ctx,
+                       struct vm_frame *ring, uint64_t room, vm_frame_sink sink, void *ctx,
                        struct crt_error *err)
 {
     uint64_t opened = 0;
     for (uint64_t n = 0; n < s->count; n++) {
         uint64_t t = instant(s, n);
         while (opened < s->count && (opened <= n || opening(s, opened) < t)) {
-            open_film(rig, s, progress, opened, &ring[opened % room]);
+            open_frame(rig, s, progress, opened, &ring[opened % room]);
             opened++;
         }
         vm_progress_run(progress, rig->machine, t);
         if (!sink(ctx, &ring[n % room], n, err)) {
             for (uint64_t k = n + 1; k < opened; k++)
-                if (!ring[k % room].complete)
-                    crt_film_cancel(rig->tube, &ring[k % room]);
+                vm_frame_cancel(&ring[k % room], rig);
             return false;
         }
     }
@@ -60,19 +51,19 @@ static bool expose_all(struct vm_rig *rig, const struct vm_shots *s, struct vm_p
 }
 
 bool vm_expose(struct vm_rig *rig, const struct vm_shots *shots, struct vm_progress *progress,
-               vm_film_sink sink, void *ctx, struct crt_error *err)
+               vm_frame_sink sink, void *ctx, struct crt_error *err)
 {
-    struct crt_film ring[VM_OVERLAP_MAX];
+    struct vm_frame ring[VM_OVERLAP_MAX];
     uint64_t room = vm_shots_overlap(shots), ready = 0;
     bool ok = true;
     if (room > VM_OVERLAP_MAX)
         return crt_fail(err, "the exposure overlaps more than %d frames; shorten it or lower --fps",
                         VM_OVERLAP_MAX);
-    while (ready < room && (ok = crt_film_init(&ring[ready], rig->tube, err)))
+    while (ready < room && (ok = vm_frame_init(&ring[ready], rig, err)))
         ready++;
     if (ok)
         ok = expose_all(rig, shots, progress, ring, room, sink, ctx, err);
     while (ready > 0)
-        crt_film_free(&ring[--ready]);
+        vm_frame_free(&ring[--ready]);
     return ok;
 }

@@ -153,7 +153,7 @@ static int outcome(const struct vm_rig *rig, const struct vm_input *input, bool 
     if (input->has_firmware)
         return firmware_outcome(rig, input, left, err);
     /* A program that has not lit the beam yet may still do so, after its first sync tick. */
-    if (rig->machine->strokes == 0)
+    if (rig->machine->strokes == 0 && !vm_machine_uses_raster(rig->machine))
         vm_machine_run(rig->machine, VM_SETTLED_PS);
     return vm_find_trouble(rig->machine, input, err) ? VM_EXIT_TROUBLE : VM_EXIT_OK;
 }
@@ -164,8 +164,8 @@ static int outcome(const struct vm_rig *rig, const struct vm_input *input, bool 
 static bool open_rig(const struct vm_headless *h, const struct vm_settings *settings,
                      const struct vm_input *input, struct vm_rig *rig, struct crt_error *err)
 {
-    struct crt_tube_desc tube = vm_settings_tube(settings);
-    if (!vm_rig_open(rig, settings, input, DF_TIMING_VALUE, h->saved.save ? &tube : NULL, err))
+    struct vm_tubes tubes = vm_settings_tubes(settings, settings->view);
+    if (!vm_rig_open(rig, settings, input, DF_TIMING_VALUE, h->saved.save ? &tubes : NULL, err))
         return false;
     if (vm_saved_load(&h->saved, rig, settings, input, err))
         return true;

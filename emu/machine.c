@@ -18,6 +18,7 @@ void vm_machine_init(struct vm_machine *m, const struct vm_machine_desc *desc)
     for (int line = 0; line < DF_INT_COUNT; line++)
         m->interrupt[line].change = VM_NEVER;
     struct df_dpu_desc d = {
+        .personality = desc->personality,
         .memory = m->memory,
         .memory_bytes = desc->memory_bytes,
         .screen = crt_tube_screen(desc->row),
@@ -29,6 +30,8 @@ void vm_machine_init(struct vm_machine *m, const struct vm_machine_desc *desc)
         d.drive[level] = low + (1 - low) * level / 7;
     df_dpu_init(&m->dpu, &d);
     df_dpu_reset(&m->dpu, 0);
+    if (desc->buffer)
+        vm_raster_init(m);
     if (desc->board)
         vm_bus_connect(m);
 }
@@ -96,6 +99,10 @@ bool vm_machine_boot(struct vm_machine *m, const struct vm_elf *elf,
     m->beside = display ? display->entry & ~1u : VM_NO_ENTRY;
     vm_refreshes_flow(&m->refreshes, (struct vm_flow){.head = VM_NO_HEAD});
     m->refreshes.declared = false;
+    if (m->desc.buffer) {
+        memset(m->desc.buffer, 0, VIDEO_BUFFER_BYTES);
+        ras_head_reset(&m->raster, m->now);
+    }
     vm_board_load(m->desc.board, elf, m->now);
     return true;
 }
@@ -104,6 +111,16 @@ void vm_machine_play(struct vm_machine *m, struct vm_recording recording)
 {
     m->recording = recording;
     m->played = 0;
+}
+
+bool vm_machine_uses_vector(const struct vm_machine *m)
+{
+    return m->entry != VM_NO_ENTRY || m->recording.count > 0;
+}
+
+bool vm_machine_uses_raster(const struct vm_machine *m)
+{
+    return m->desc.buffer && m->raster.on;
 }
 
 bool vm_machine_exited(const struct vm_machine *m, int *status)
@@ -141,10 +158,25 @@ static struct vm_board *copy_board(struct vm_board *board)
     return NULL;
 }
 
+/* The refresh buffer, and the raster head wired to the copy. */
+static bool copy_buffer(struct vm_machine *copy, const struct vm_machine *m)
+{
+    if (!m->desc.buffer)
+        return true;
+    copy->desc.buffer = malloc(VIDEO_BUFFER_BYTES);
+    if (!copy->desc.buffer)
+        return false;
+    memcpy(copy->desc.buffer, m->desc.buffer, VIDEO_BUFFER_BYTES);
+    copy->raster.desc.buffer = copy->desc.buffer;
+    vm_raster_wire(copy, &copy->raster.desc.wires);
+    return true;
+}
+
 bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m)
 {
     *copy = *m;
-    copy->desc.tube = NULL;
+    copy->desc.tube = copy->desc.raster_tube = NULL;
+    copy->desc.buffer = NULL;
     copy->desc.console = NULL;
     copy->desc.pen = (struct vm_pen){NULL, NULL};
     copy->dpu.desc.beam.offer = NULL;
@@ -154,7 +186,7 @@ bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m)
     if (!m->desc.board)
         return true;
     copy->desc.board = copy_board(m->desc.board);
-    if (!copy->desc.board)
+    if (!copy->desc.board || !copy_buffer(copy, m))
         return false;
     vm_bus_connect(copy);
     return true;
@@ -164,5 +196,7 @@ void vm_machine_forget(struct vm_machine *copy)
 {
     if (copy->desc.board)
         vm_board_destroy(copy->desc.board);
+    free(copy->desc.buffer);
     copy->desc.board = NULL;
+    copy->desc.buffer = NULL;
 }

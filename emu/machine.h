@@ -3,26 +3,29 @@
  *      board (processor, console, timer) ── DPU registers ──┐
  *         │ ▲ interrupt lines 1–3          START, RESUME    ▼
  *         │ └──────────────────────────────────────────── dpu ── offer ▶ pen ── commit ─┬▶ tube
- *         └─ stores ─▶ display memory ─────────fetch───────▲                            └▶ hooks
+ *         ├─ stores ─▶ display memory ─────────fetch───────▲                            └▶ hooks
+ *         ├─ stores ─▶ refresh buffer ──pixels──▶ raster head ── scan lines ──▶ raster tube
+ *         │ ▲ interrupt lines 5, 6  registers, look-up table ──▲
  *      sync ticks ──▶ dpu, stand-in, end of a tube epoch
  *      recording (.beam) ── strokes ─────────────────────────────────────────────────────▲
  *
- * Models:     a vector head with or without a processor. Without one a stand-in does what a refresh
+ * Models:     a vector head with or without a processor, and with a processor a raster head, too. Without one a stand-in does what a refresh
  *             program would: when the display file has stopped it starts it again at the next sync
  *             tick (or not: VM_HALT), and resumes it at the next tick after a pen or character
  *             interrupt. Instead of a display processor a recording of beam pieces can drive the
  *             tube.
- * Time:       picoseconds since power-on. At equal times: tick, interrupt line, word, console, timer,
+ * Time:       picoseconds since power-on. At equal times: raster head, tick, interrupt line, word, console, timer,
  *             processor. An instruction begun at t comes after the word fetched at t; the words
  *             fetched after t see what it stored. What the display processor reports (interrupt lines) rises when
  *             the word that causes it is done; its registers show what the word leads to from its
  *             fetch on.
- * Refresh:    emu/refresh.h. Refreshes are counted from 1 as they end.
- * Ownership:  the caller owns the struct (256 KiB: not for small stacks); board, console, tube and
+ * Refresh:    emu/refresh.h. Refreshes are counted from 1 as they end. Of a program that uses the
+ *             raster head and has never started the display processor, a refresh is a frame.
+ * Ownership:  the caller owns the struct (280 KiB: not for small stacks); board, console, tubes and
  *             what the desc points at must outlive it. Allocates nothing.
  * Errors:     vm_machine_load: one sentence. Guest trouble is a state of the display processor or
  *             the processor (emu/trouble.h puts it into words).
- * Not modelled: a raster head, input devices; bus contention.
+ * Not modelled: input devices; bus contention.
  */
 #ifndef EMU_MACHINE_H
 #define EMU_MACHINE_H
@@ -38,6 +41,7 @@
 #include "emu/console.h"
 #include "emu/flow.h"
 #include "emu/refresh.h"
+#include "raster/head.h"
 
 enum vm_on_stop { VM_RESTART, VM_HALT };
 
@@ -56,6 +60,7 @@ struct vm_hooks {
     void (*stroke)(void *ctx, const struct crt_stroke *stroke); /* may be NULL */
     /* An interrupt line (IRQ_LINE_…) changes at t. May be NULL. */
     void (*line)(void *ctx, uint64_t t, unsigned line, bool level);
+    const struct ras_hooks *raster;   /* signals of the raster head; may be NULL */
     const struct rv_hooks *processor; /* each instruction; may be NULL */
 };
 
@@ -68,12 +73,17 @@ struct vm_pen {
 struct vm_machine_desc {
     const struct crt_tube_row *row;
     struct df_timing timing;
+    enum df_personality personality;
     struct crt_rate tick;
     uint32_t memory_bytes;
     enum vm_on_stop on_stop;
     struct crt_tube *tube;      /* NULL: nobody observes, so no light is computed */
     struct vm_board *board;     /* NULL: no processor */
     struct vm_console *console; /* far end of the board's UART; NULL: not connected */
+    uint8_t *buffer;            /* VIDEO_BUFFER_BYTES for the raster head; NULL: there is none */
+    const struct crt_tube_row *raster_row;
+    struct ras_timing raster_timing; /* at power-on */
+    struct crt_tube *raster_tube;    /* NULL: nobody observes */
     struct vm_pen pen;
 };
 
@@ -109,6 +119,9 @@ struct vm_machine {
     uint32_t mark;  /* the last one's number */
     struct vm_refreshes refreshes;
     struct vm_interrupt interrupt[DF_INT_COUNT];
+    struct ras_head raster;   /* with desc.buffer */
+    uint64_t raster_advanced; /* what the raster tube was last told */
+    uint64_t scan_lines;      /* given to it, or to nobody */
     uint16_t memory[DF_MEMORY_BYTES / 2];
 };
 
@@ -146,7 +159,7 @@ bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t lim
 /* m->dpu.words is `words`; what else happens when the last one is fetched has happened, too. */
 bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit);
 
-/* A copy that goes on alone, without tube, console and pen: for looking ahead. `copy` need not be
+/* A copy that goes on alone, without tubes, console and pen: for looking ahead. `copy` need not be
  * initialised; vm_machine_forget frees what the copy of a board took. False: out of memory. */
 bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m);
 void vm_machine_forget(struct vm_machine *copy);
@@ -155,10 +168,15 @@ void vm_machine_forget(struct vm_machine *copy);
  * step. */
 void vm_machine_step(struct vm_machine *m);
 
+/* Whether the program has used a head so far: started the display processor, switched the raster head
+ * on. */
+bool vm_machine_uses_vector(const struct vm_machine *m);
+bool vm_machine_uses_raster(const struct vm_machine *m);
+
 /* The firmware has ended itself; with which exit status. */
 bool vm_machine_exited(const struct vm_machine *m, int *status);
 
-/* All of the machine but its tube, between two events: board and console, too. When the machine has
+/* All of the machine but its tubes, between two events: board and console, too. When the machine has
  * a tube, that must have been loaded before, and belong to the same instant. A machine whose loading
  * failed is fit to be initialised or loaded again, for nothing else. */
 void vm_machine_state(struct vm_machine *m, struct crt_state *s);

@@ -93,8 +93,9 @@ static bool memory_write(void *ctx, uint32_t offset, unsigned width, uint32_t va
 /* ---- identity -----------------------------------------------------------------------------------
  */
 
-#define MAP_VERSION 1
+#define MAP_VERSION 2 /* 2: raster head */
 #define HEAD_VECTOR 1
+#define HEAD_RASTER 2
 
 static bool identity_read(void *ctx, uint32_t offset, unsigned width, uint32_t *value)
 {
@@ -109,7 +110,7 @@ static bool identity_read(void *ctx, uint32_t offset, unsigned width, uint32_t *
         *value = MAP_VERSION;
         return true;
     case IDENTITY_HEADS:
-        *value = HEAD_VECTOR;
+        *value = HEAD_VECTOR | (m->desc.buffer ? HEAD_RASTER : 0);
         return true;
     case IDENTITY_ENTRY:
         *value = m->beside;
@@ -151,4 +152,6 @@ void vm_bus_connect(struct vm_machine *m)
     };
     for (size_t i = 0; i < sizeof ranges / sizeof *ranges; i++)
         bus_add(&m->desc.board->bus, &ranges[i]);
+    if (m->desc.buffer)
+        vm_raster_connect(m);
 }

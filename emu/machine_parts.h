@@ -3,6 +3,7 @@
  *      machine.c       making, loading, copying     machine_run.c   time: who is next
  *      machine_wires.c strokes, interrupt lines,    machine_bus.c   registers on the processor's bus
  *                      START and refreshes         machine_state.c snapshots
+ *      machine_raster.c the raster head's wires and registers
  *
  * Models:     see emu/machine.h.
  * Time:       picoseconds since power-on.
@@ -27,6 +28,18 @@ extern const unsigned vm_lines[DF_INT_COUNT];
 /* When the next line of the display processor changes, and the change. */
 uint64_t vm_wires_next(const struct vm_machine *m);
 void vm_wires_change(struct vm_machine *m, uint64_t t);
+
+/* A line of the board's interrupt controller is to have this level from t on. */
+void vm_set_line(struct vm_machine *m, unsigned line, bool level, uint64_t t);
+
+/* machine_raster.c; all of it needs desc.buffer but vm_raster_next(), which is VM_NEVER without. */
+void vm_raster_init(struct vm_machine *m);
+void vm_raster_wire(struct vm_machine *m, struct ras_wires *wires);
+void vm_raster_hook(struct vm_machine *m, bool hooked);
+void vm_raster_connect(struct vm_machine *m);
+uint64_t vm_raster_next(const struct vm_machine *m);
+void vm_raster_event(struct vm_machine *m, uint64_t t);
+void vm_raster_advance(struct vm_machine *m, uint64_t t);
 
 /* machine_bus.c: adds the machine's ranges to the board's bus. */
 void vm_bus_connect(struct vm_machine *m);

@@ -208,7 +208,15 @@ static void wait_processor(struct vm_machine *m, uint64_t t)
  */
 
 /* In order of precedence at equal times. A line changes before a word that would change it again. */
-enum source { SOURCE_TICK, SOURCE_WIRES, SOURCE_WORD, SOURCE_CONSOLE, SOURCE_BOARD, SOURCE_COUNT };
+enum source {
+    SOURCE_RASTER,
+    SOURCE_TICK,
+    SOURCE_WIRES,
+    SOURCE_WORD,
+    SOURCE_CONSOLE,
+    SOURCE_BOARD,
+    SOURCE_COUNT
+};
 
 static uint64_t console_next(const struct vm_machine *m)
 {
@@ -221,6 +229,7 @@ static uint64_t console_next(const struct vm_machine *m)
 
 static void list_next(const struct vm_machine *m, uint64_t next[SOURCE_COUNT])
 {
+    next[SOURCE_RASTER] = vm_raster_next(m);
     next[SOURCE_TICK] = m->tick_time;
     next[SOURCE_WORD] = m->dpu.state == DF_RUNNING ? m->dpu.t : VM_NEVER;
     next[SOURCE_WIRES] = next[SOURCE_CONSOLE] = next[SOURCE_BOARD] = VM_NEVER;
@@ -233,7 +242,7 @@ static void list_next(const struct vm_machine *m, uint64_t next[SOURCE_COUNT])
 
 static enum source first_of(const uint64_t next[SOURCE_COUNT])
 {
-    enum source first = SOURCE_TICK;
+    enum source first = SOURCE_RASTER;
     for (int i = 1; i < SOURCE_COUNT; i++)
         if (next[i] < next[first])
             first = (enum source)i;
@@ -267,6 +276,9 @@ static void take_turn(struct vm_machine *m, enum source who, const uint64_t next
     wait_processor(m, t);
     m->now = t;
     switch (who) {
+    case SOURCE_RASTER:
+        vm_raster_event(m, t);
+        break;
     case SOURCE_TICK:
         play(m, t);
         tick(m);
@@ -314,6 +326,7 @@ static void run(struct vm_machine *m, struct run *r)
         m->now = r->until > m->now ? r->until : m->now;
     }
     advance_tube(m, m->now);
+    vm_raster_advance(m, m->now);
 }
 
 static bool run_to(struct vm_machine *m, uint64_t limit, enum goal_kind kind, uint64_t count)
@@ -336,8 +349,10 @@ void vm_machine_trace(struct vm_machine *m, uint64_t until, const struct vm_hook
     struct run r = {.until = until, .hooked = true};
     m->hooks = *hooks;
     vm_wire_hooks(m, true);
+    vm_raster_hook(m, true);
     run(m, &r);
     vm_wire_hooks(m, false);
+    vm_raster_hook(m, false);
     m->hooks = (struct vm_hooks){0};
 }
 

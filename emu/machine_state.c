@@ -1,8 +1,9 @@
 /* A machine in a snapshot: time, counts, what a refresh is, display memory, display processor; and
  * the board with its console where there is one. */
 #include "emu/machine_parts.h"
+#include "emu/memmap.h"
 
-#define VERSION 1
+#define VERSION 2
 
 static void refresh_state(struct vm_refresh *r, struct crt_state *s)
 {
@@ -55,6 +56,14 @@ static void counts_state(struct vm_machine *m, struct crt_state *s)
         crt_state_u64(s, &m->interrupt[line].last_t);
         crt_state_u64(s, &m->interrupt[line].change);
     }
+}
+
+static void raster_state(struct vm_machine *m, struct crt_state *s)
+{
+    if (!m->desc.buffer)
+        return;
+    crt_state_u64(s, &m->scan_lines);
+    crt_state_pages(s, m->desc.buffer, VIDEO_BUFFER_BYTES);
 }
 
 /* ---- what is possible -------------------------------------------------------------------------- */
@@ -144,8 +153,26 @@ static bool sane_tube(const struct vm_machine *m)
     return times.now == m->now && times.last_start <= drawn;
 }
 
+/* So has the raster tube; the raster head's lines are as it has them. */
+static bool sane_raster(const struct vm_machine *m)
+{
+    if (!m->desc.buffer)
+        return true;
+    if (vm_raster_next(m) < m->now)
+        return false;
+    for (int i = 0; i < RAS_INT_COUNT; i++) {
+        static const uint32_t bit[] = {VIDEO_STATUS_RETRACE, VIDEO_STATUS_COMPARE};
+        static const unsigned line[] = {IRQ_LINE_RETRACE, IRQ_LINE_COMPARE};
+        bool level = m->raster.status & m->raster.irq_enable & bit[i];
+        if ((m->desc.board->irq.pending >> line[i] & 1) != level)
+            return false;
+    }
+    return !m->desc.raster_tube || crt_tube_times(m->desc.raster_tube).now == m->now;
+}
+
 static void check(struct vm_machine *m, struct crt_state *s)
 {
+    crt_state_check(s, sane_raster(m), "raster head");
     crt_state_check(s, sane_time(m), "time");
     crt_state_check(s, sane_program(m), "program");
     crt_state_check(s, sane_counts(m), "count of a refresh");
@@ -162,17 +189,21 @@ void vm_machine_state(struct vm_machine *m, struct crt_state *s)
         vm_board_state(m->desc.board, s);
     if (m->desc.console)
         vm_console_state(m->desc.console, s);
+    if (m->desc.buffer)
+        ras_head_state(&m->raster, s);
     crt_state_begin(s, "MACH", VERSION);
     program_state(m, s);
     refreshes_state(&m->refreshes, s);
     counts_state(m, s);
     crt_state_word_pages(s, m->memory, sizeof m->memory / sizeof m->memory[0]);
+    raster_state(m, s);
     check(m, s);
     crt_state_end(s);
     if (!s->loading || s->failed)
         return;
     m->tick_time = crt_tick_time(m->desc.tick, m->ticks);
     m->advanced = m->desc.tube ? m->now : 0;
+    m->raster_advanced = m->desc.raster_tube ? m->now : 0;
     for (int line = 0; line < DF_INT_COUNT; line++)
         m->interrupt[line].pending = m->dpu.pending[line];
 }

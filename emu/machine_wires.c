@@ -46,7 +46,7 @@ static uint64_t offer(void *ctx, const struct crt_stroke *stroke)
 const unsigned vm_lines[DF_INT_COUNT] = {
     [DF_INT_STOP] = IRQ_LINE_STOP, [DF_INT_PEN] = IRQ_LINE_PEN, [DF_INT_CHARACTER] = IRQ_LINE_CHAR};
 
-static void set_line(struct vm_machine *m, unsigned line, bool level, uint64_t t)
+void vm_set_line(struct vm_machine *m, unsigned line, bool level, uint64_t t)
 {
     bool is = (bool)(m->desc.board->irq.pending >> line & 1);
     if (is == level) /* it was to rise, and START came before that */
@@ -86,7 +86,7 @@ void vm_wires_change(struct vm_machine *m, uint64_t t)
         if (i->change > t)
             continue;
         i->change = VM_NEVER;
-        set_line(m, vm_lines[line], i->pending, t);
+        vm_set_line(m, vm_lines[line], i->pending, t);
     }
 }
 

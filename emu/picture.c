@@ -1,10 +1,12 @@
 #include "emu/picture.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "crt/png_file.h"
 #include "emu/out_file.h"
+#include "emu/side.h"
 
 #define ROW(field) offsetof(struct vm_light_options, field)
 
@@ -24,64 +26,123 @@ const struct vm_option vm_light_rows[VM_LIGHT_ROWS] = {
      "room light on the unlit glass, 0 = dark room; default 0.005 of a full-drive line", 0, 1e4},
 };
 
+/* The luminance that `auto` gain shows at 0.8 of white. */
+static double full_luminance(const struct crt_tube_row *row)
+{
+    return row->kind == CRT_RASTER_TUBE ? row->field_luminance.value : row->line_luminance.value;
+}
+
 int vm_light_settings(const struct vm_light_options *o, const struct vm_settings *s,
-                      struct crt_glass_settings *glass, struct crt_error *err)
+                      struct vm_lights *lights, struct crt_error *err)
 {
     struct crt_error why;
-    double value = 1, automatic = crt_auto_gain(&s->row);
-    double room = DEFAULT_ROOM * s->row.line_luminance.value;
-    *glass = (struct crt_glass_settings){.gain = automatic,
-                                         .room_cd_m2 = o->room < 0 ? room : o->room,
-                                         .halation = s->row.halation.value,
-                                         .face_radius_mm = s->row.face_radius.value};
-    if (!o->gain || strcmp(o->gain, "auto") == 0)
-        return 0;
-    bool relative = o->gain[0] == 'x';
-    if (!vm_parse_real(o->gain + relative, 1e-9, 1e9, &value, &why)) {
+    double value = 1;
+    bool given = o->gain && strcmp(o->gain, "auto") != 0, relative = given && o->gain[0] == 'x';
+    if (given && !vm_parse_real(o->gain + relative, 1e-9, 1e9, &value, &why)) {
         crt_fail(err, "--gain: %.300s; give auto, x2 (twice auto) or a number per cd/m2", why.text);
         return 2;
     }
-    glass->gain = relative ? value * automatic : value;
+    for (int h = 0; h < VM_HEADS; h++) {
+        const struct crt_tube_row *row = &s->monitor[h].row;
+        double room = DEFAULT_ROOM * full_luminance(row), automatic = crt_auto_gain(row);
+        lights->head[h] =
+            (struct crt_glass_settings){.gain = !given || relative ? value * automatic : value,
+                                        .room_cd_m2 = o->room < 0 ? room : o->room,
+                                        .halation = row->halation.value,
+                                        .face_radius_mm = row->face_radius.value};
+    }
     return 0;
 }
+
+/* ---- studio -------------------------------------------------------------------------------------
+ */
 
 bool vm_studio_open(struct vm_studio *studio, struct crt_error *err)
 {
     studio->context = NULL;
-    studio->glass = NULL;
+    studio->glass[VM_VECTOR] = studio->glass[VM_RASTER] = NULL;
     if (studio->film)
         return true;
     studio->context = crt_gl_context_create(CRT_GL_ANY, err);
-    if (studio->context)
-        studio->glass = crt_glass_create(crt_gl_context_loader(studio->context), err);
-    if (studio->glass)
-        return true;
-    vm_studio_close(studio);
-    return false;
+    for (int h = 0; h < VM_HEADS && studio->context; h++) {
+        if (studio->size[h].width == 0)
+            continue;
+        studio->glass[h] = crt_glass_create(crt_gl_context_loader(studio->context), err);
+        if (!studio->glass[h]) {
+            vm_studio_close(studio);
+            return false;
+        }
+    }
+    return studio->context != NULL;
 }
 
 void vm_studio_close(struct vm_studio *studio)
 {
-    if (studio->glass)
-        crt_glass_destroy(studio->glass);
+    for (int h = 0; h < VM_HEADS; h++) {
+        if (studio->glass[h])
+            crt_glass_destroy(studio->glass[h]);
+        studio->glass[h] = NULL;
+    }
     if (studio->context)
         crt_gl_context_destroy(studio->context);
-    studio->glass = NULL;
     studio->context = NULL;
 }
 
-bool vm_studio_picture(struct vm_studio *studio, const struct crt_film *film,
-                       struct crt_image *image, struct crt_error *err)
+static bool picture_of_head(struct vm_studio *studio, enum vm_head head,
+                            const struct crt_film *film, struct crt_image *image,
+                            struct crt_error *err)
 {
+    const struct crt_phosphor *phosphor = &studio->settings->monitor[head].phosphor;
+    const struct crt_glass_settings *light = &studio->lights.head[head];
+    struct vm_size size = studio->size[head];
     if (studio->film)
-        return crt_develop(film, studio->phosphor, studio->light.gain, studio->depth,
-                           studio->threads, image, err);
-    crt_glass_film(studio->glass, film, studio->phosphor);
-    return crt_glass_render(studio->glass, &studio->light, studio->width, studio->height,
-                            studio->depth, image, err);
+        return crt_develop(film, phosphor, light->gain, studio->depth, studio->threads, image, err);
+    crt_glass_film(studio->glass[head], film, phosphor);
+    return crt_glass_render(studio->glass[head], light, size.width, size.height, studio->depth,
+                            image, err);
 }
 
-bool vm_film_is_black(const struct crt_film *film, double gain)
+bool vm_studio_picture(struct vm_studio *studio, const struct vm_frame *frame,
+                       struct crt_image *image, struct crt_error *err)
+{
+    struct crt_image left, right;
+    if (frame->heads != VM_VIEW_BOTH) {
+        enum vm_head head = frame->heads == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR;
+        return picture_of_head(studio, head, &frame->film[head], image, err);
+    }
+    if (!picture_of_head(studio, VM_VECTOR, &frame->film[VM_VECTOR], &left, err))
+        return false;
+    bool ok = picture_of_head(studio, VM_RASTER, &frame->film[VM_RASTER], &right, err);
+    if (ok) {
+        ok = vm_side_by_side(&left, &right, image, err);
+        crt_image_free(&right);
+    }
+    crt_image_free(&left);
+    return ok;
+}
+
+bool vm_buffer_picture(const struct vm_machine *m, int depth, struct crt_image *image,
+                       struct crt_error *err)
+{
+    uint32_t colour[4096 + 8];
+    const struct ras_timing *timing = &m->raster.timing;
+    uint16_t scale = depth == 16 ? 257 : 1; /* 255 becomes 65535 */
+    if (!crt_image_init(image, (int)timing->h.visible, (int)timing->v.visible, depth, err))
+        return false;
+    uint16_t *to = image->samples;
+    for (uint32_t row = 0; row < timing->v.visible; row++) {
+        ras_head_pixels(&m->raster, row, colour);
+        for (uint32_t x = 0; x < timing->h.visible; x++)
+            for (int shift = 16; shift >= 0; shift -= 8)
+                *to++ = (uint16_t)((colour[x] >> shift & 0xFF) * scale);
+    }
+    return true;
+}
+
+/* ---- pictures -----------------------------------------------------------------------------------
+ */
+
+static bool film_is_black(const struct crt_film *film, double gain)
 {
     size_t cells = (size_t)film->grid.cols * (size_t)film->grid.rows;
     double exposure_s = (double)(film->t1 - film->t0) / (double)CRT_PS_PER_S;
@@ -93,24 +154,73 @@ bool vm_film_is_black(const struct crt_film *film, double gain)
     return true;
 }
 
-struct vm_size vm_picture_size(const struct crt_tube_row *row)
+bool vm_frame_is_black(const struct vm_frame *frame, const struct vm_lights *lights)
 {
-    double w = row->width.value + 2 * row->border.value;
-    double h = row->height.value + 2 * row->border.value;
-    double k = 1024 / fmax(w, h);
-    return (struct vm_size){(int)fmax(16, round(w * k)), (int)fmax(16, round(h * k))};
+    for (int h = 0; h < VM_HEADS; h++)
+        if ((frame->heads >> h & 1) && !film_is_black(&frame->film[h], lights->head[h].gain))
+            return false;
+    return true;
+}
+
+/* Width to height of the glass. */
+static double aspect(const struct crt_tube_row *row)
+{
+    double border = 2 * row->border.value;
+    return (row->width.value + border) / (row->height.value + border);
+}
+
+static struct vm_size within(double side, double ratio)
+{
+    double w = ratio > 1 ? side : side * ratio, h = ratio > 1 ? side / ratio : side;
+    return (struct vm_size){(int)fmax(16, round(w)), (int)fmax(16, round(h))};
+}
+
+void vm_picture_sizes(const struct vm_settings *settings, enum vm_view view, struct vm_size wanted,
+                      struct vm_size size[VM_HEADS])
+{
+    const double side = 1024;
+    double ratio[VM_HEADS] = {aspect(&settings->monitor[VM_VECTOR].row),
+                              aspect(&settings->monitor[VM_RASTER].row)};
+    for (int h = 0; h < VM_HEADS; h++) {
+        bool alone = (int)view == 1 << h;
+        size[h] = !alone ? (struct vm_size){0, 0} : wanted.width ? wanted : within(side, ratio[h]);
+    }
+    if (view != VM_VIEW_BOTH)
+        return;
+    struct vm_size a = within(side, ratio[VM_VECTOR]), b = within(side, ratio[VM_RASTER]);
+    double height = wanted.width ? wanted.height : fmin(a.height, b.height);
+    double left = height * ratio[VM_VECTOR], both = left + height * ratio[VM_RASTER];
+    double width = wanted.width ? wanted.width - VM_SIDE_GAP : both;
+    size[VM_VECTOR] = (struct vm_size){(int)fmax(16, round(width * left / both)), (int)height};
+    size[VM_RASTER] =
+        (struct vm_size){(int)fmax(16, round(width) - size[VM_VECTOR].width), (int)height};
+}
+
+/* "VR17" or "VR17, COLOR17". */
+static void names_of(const struct vm_settings *s, unsigned heads, bool phosphor, char *text,
+                     size_t size)
+{
+    text[0] = '\0';
+    for (int h = 0; h < VM_HEADS; h++)
+        if (heads >> h & 1) {
+            size_t n = strlen(text);
+            snprintf(text + n, size - n, "%s%s", n ? ", " : "",
+                     phosphor ? s->monitor[h].phosphor.name : s->monitor[h].row.name);
+        }
 }
 
 bool vm_picture_write(const char *path, const struct crt_image *image, const char *program,
-                      const struct vm_settings *settings, const struct crt_film *film,
+                      const struct vm_settings *settings, const struct vm_frame *frame,
                       struct crt_error *err)
 {
-    char time[40], exposure[40];
-    vm_format_seconds(film->t1, time, sizeof time);
-    vm_format_seconds(film->t1 - film->t0, exposure, sizeof exposure);
+    char time[40], exposure[40], tubes[64], phosphors[64];
+    vm_format_seconds(frame->t1, time, sizeof time);
+    vm_format_seconds(frame->t1 - frame->t0, exposure, sizeof exposure);
+    names_of(settings, frame->heads, false, tubes, sizeof tubes);
+    names_of(settings, frame->heads, true, phosphors, sizeof phosphors);
     const struct crt_png_text texts[] = {{"Program", program},
-                                         {"Tube", settings->row.name},
-                                         {"Phosphor", settings->phosphor.name},
+                                         {"Tube", tubes},
+                                         {"Phosphor", phosphors},
                                          {"Simulated time", time},
                                          {"Exposure", exposure}};
     struct vm_out out;

@@ -21,14 +21,15 @@ static void begin(struct vm_refreshes *r, uint64_t t, const struct vm_counts *no
                                      .lit = now->lit};
 }
 
-static void end(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
+/* `few`: also with hardly a word. */
+static void end(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now, bool few)
 {
     const struct vm_refresh *begun = &r->current;
     uint64_t words = now->words - begun->words;
     if (!r->running)
         return;
     r->running = false;
-    if (words <= 1)
+    if (words <= 1 && !few)
         return;
     r->last = (struct vm_refresh){.number = r->last.number + 1,
                                   .begin = begun->begin,
@@ -48,12 +49,20 @@ void vm_refreshes_begin(struct vm_refreshes *r, uint64_t t, const struct vm_coun
 void vm_refreshes_end(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
 {
     if (!r->declared)
-        end(r, t, now);
+        end(r, t, now, false);
+}
+
+void vm_refreshes_frame(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
+{
+    if (r->declared)
+        return;
+    end(r, t, now, true);
+    begin(r, t, now);
 }
 
 void vm_refreshes_declare(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now)
 {
     r->declared = true;
-    end(r, t, now);
+    end(r, t, now, true);
     begin(r, t, now);
 }

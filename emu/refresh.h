@@ -3,6 +3,7 @@
  *      display file alone     emu/flow.h: by START, sync or the head of its loop
  *      started by firmware    the same, found anew at each START
  *      declared by firmware   from one store to IDENTITY_REFRESH to the next
+ *      raster head alone      from one retrace that ends a frame to the next
  *
  * Models:     a refresh ends where the display processor stops, starts to wait for a sync tick or
  *             comes back to the head of a loop; RESUME after a stop begins another. A lone sync word
@@ -47,6 +48,8 @@ void vm_refreshes_flow(struct vm_refreshes *r, struct vm_flow flow);
 /* Neither does anything once the program declares refreshes itself. */
 void vm_refreshes_begin(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now);
 void vm_refreshes_end(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now);
+/* A frame of the raster head is complete, and that is what counts. */
+void vm_refreshes_frame(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now);
 /* The program declares one. */
 void vm_refreshes_declare(struct vm_refreshes *r, uint64_t t, const struct vm_counts *now);
 

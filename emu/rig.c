@@ -7,11 +7,26 @@ static void transmit(void *ctx, uint8_t byte, uint64_t t)
     vm_console_print(ctx, byte, t);
 }
 
+static bool open_tubes(struct vm_rig *rig, const struct vm_input *input,
+                       const struct vm_tubes *tubes, struct crt_error *err)
+{
+    for (int h = 0; h < VM_HEADS; h++) {
+        bool is_there = h == VM_VECTOR || input->has_firmware;
+        if (is_there && (tubes->heads >> h & 1) &&
+            !(rig->tube[h] = crt_tube_create(&tubes->desc[h], err)))
+            return false;
+    }
+    return true;
+}
+
 /* The processor's side, for an input with firmware. */
 static bool open_board(struct vm_rig *rig, const struct vm_input *input, struct crt_error *err)
 {
     static const struct vm_console_desc nobody = {NULL, NULL, NULL};
     static const struct crt_rate clock = {VM_CPU_HZ, 1};
+    rig->buffer = calloc(1, VIDEO_BUFFER_BYTES);
+    if (!rig->buffer)
+        return crt_fail(err, "not enough memory for the refresh buffer; close other programs");
     rig->console = malloc(sizeof *rig->console);
     if (!rig->console)
         return crt_fail(err, "not enough memory for the console; close other programs");
@@ -28,17 +43,20 @@ static bool open_board(struct vm_rig *rig, const struct vm_input *input, struct 
 
 bool vm_rig_open(struct vm_rig *rig, const struct vm_settings *settings,
                  const struct vm_input *input, enum df_timing_choice timing,
-                 const struct crt_tube_desc *tube, struct crt_error *err)
+                 const struct vm_tubes *tubes, struct crt_error *err)
 {
     *rig = (struct vm_rig){.machine = calloc(1, sizeof *rig->machine)};
     bool ok =
         rig->machine || crt_fail(err, "not enough memory for the machine; close other programs");
-    if (ok && tube)
-        ok = (rig->tube = crt_tube_create(tube, err)) != NULL;
+    if (ok && tubes)
+        ok = open_tubes(rig, input, tubes, err);
     if (ok && input->has_firmware)
         ok = open_board(rig, input, err);
     if (ok) {
-        struct vm_machine_desc desc = vm_settings_machine(settings, timing, rig->tube);
+        struct vm_machine_desc desc = vm_settings_machine(settings, timing);
+        desc.tube = rig->tube[VM_VECTOR];
+        desc.raster_tube = rig->tube[VM_RASTER];
+        desc.buffer = rig->buffer;
         desc.board = rig->board;
         desc.console = rig->console;
         vm_machine_init(rig->machine, &desc);
@@ -51,13 +69,15 @@ bool vm_rig_open(struct vm_rig *rig, const struct vm_settings *settings,
 
 void vm_rig_close(struct vm_rig *rig)
 {
-    if (rig->tube)
-        crt_tube_destroy(rig->tube);
+    for (int h = 0; h < VM_HEADS; h++)
+        if (rig->tube[h])
+            crt_tube_destroy(rig->tube[h]);
     if (rig->board)
         vm_board_destroy(rig->board);
     if (rig->console)
         vm_console_free(rig->console);
     free(rig->console);
+    free(rig->buffer);
     free(rig->machine);
     *rig = (struct vm_rig){0};
 }

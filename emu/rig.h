@@ -1,5 +1,5 @@
-/* rig.h — a machine with its program and, when somebody looks, its tube; with firmware a board and a
- * console, too: made and freed together.
+/* rig.h — a machine with its program and, when somebody looks, its tubes; with firmware a board, a
+ * console and a raster head, too: made and freed together.
  *
  * Models:     nothing; puts together what the program needs.
  * Ownership:  vm_rig_open allocates, vm_rig_close frees; settings and input must outlive the rig.
@@ -14,15 +14,16 @@
 
 struct vm_rig {
     struct vm_machine *machine;
-    struct crt_tube *tube;      /* NULL: nobody looks */
-    struct vm_board *board;     /* NULL: the program has no firmware */
-    struct vm_console *console; /* the same; its desc is for the front end to fill in */
+    struct crt_tube *tube[VM_HEADS]; /* NULL: nobody looks */
+    struct vm_board *board;          /* NULL: the program has no firmware */
+    uint8_t *buffer;                 /* of the raster head; the same */
+    struct vm_console *console;      /* the same; its desc is for the front end to fill in */
 };
 
-/* `tube` may be NULL: then no light is computed. */
+/* `tubes` may be NULL: no light at all. A raster tube is only made for a program with firmware. */
 bool vm_rig_open(struct vm_rig *rig, const struct vm_settings *settings,
                  const struct vm_input *input, enum df_timing_choice timing,
-                 const struct crt_tube_desc *tube, struct crt_error *err);
+                 const struct vm_tubes *tubes, struct crt_error *err);
 void vm_rig_close(struct vm_rig *rig);
 
 #endif

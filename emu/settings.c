@@ -1,25 +1,41 @@
 #include "emu/settings.h"
 
+#include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
+#include "crt/penetration.h"
+#include "emu/settings_parts.h"
+
 #define ROW(field) offsetof(struct vm_settings_options, field)
 
-#define DEFAULT_TUBE "VR17"
+#define DEFAULT_VECTOR "VR17"
+#define DEFAULT_RASTER "COLOR17"
 
 const struct vm_option vm_settings_rows[VM_SETTINGS_ROWS] = {
-    {"tube", 0, VM_OPT_STRING, ROW(tube), "NAME",
-     "tube row (list tubes), or TUBE/PHOSPHOR; default: what the program says, else " DEFAULT_TUBE,
+    {"tube", 0, VM_OPT_LIST, ROW(tube), "NAME",
+     "tube row (list tubes), or TUBE/PHOSPHOR; twice for one of each head; default: what the "
+     "program "
+     "says, else " DEFAULT_VECTOR " and " DEFAULT_RASTER,
      0, 0},
     {"phosphor", 0, VM_OPT_STRING, ROW(phosphor), "NAME",
      "phosphor instead of the tube's own (list phosphors)", 0, 0},
+    {"mode", 0, VM_OPT_STRING, ROW(mode), "WxH@HZ[i]",
+     "what the raster head begins with, such as 640x480@60 (list modes); default the tube's", 0, 0},
+    {"view", 0, VM_OPT_CHOICE, ROW(view), VM_VIEW_NAMES,
+     "which head to look at; default auto: those the program uses", 0, 0},
     {"tubes", 0, VM_OPT_LIST, ROW(tubes), "FILE.ini", "read more tubes and phosphors", 0, 0},
     {"set", 0, VM_OPT_LIST, ROW(set), "KEY=VALUE",
      "memory=16K, dpu.average=33.33us, brightness=-1…1, contrast=0…4, focus=0…4, or any figure of "
      "the "
-     "tube row: spot=0.4, vector_unit=50ns",
+     "tube row: spot=0.4, vector_unit=50ns; raster.spot=0.5 names the head",
      0, 0},
     {"refresh", 0, VM_OPT_RATE, ROW(refresh), "HZ", "rate of the sync tick instead of the tube's",
+     0, 0},
+    {"personality", 0, VM_OPT_CHOICE, ROW(personality), "vt11|vs60",
+     "display processor: vt11, or with the colours of the vs60; default vs60 on a penetration "
+     "tube, "
+     "else vt11",
      0, 0},
     {"on-stop", 0, VM_OPT_CHOICE, ROW(on_stop), "restart|halt",
      "what follows a stop word: restart at the next sync tick (default), or halt", 0, 0},
@@ -48,28 +64,30 @@ static bool no_such(const char *what, const char *name, const char *const *names
                     what);
 }
 
-static bool take_tube(struct vm_settings *s, const char *name, struct crt_error *err)
+static const struct crt_tube_row *find_tube(struct vm_settings *s, const char *name,
+                                            struct crt_error *err)
 {
     const struct crt_tube_row *row = crt_catalogue_tube(&s->catalogue, name);
     const char *names[256];
     size_t count = 0;
-    if (row) {
-        s->row = *row;
-        return true;
-    }
+    if (row)
+        return row;
     for (size_t i = 0; i < s->catalogue.tube_count && count < 256; i++)
         names[count++] = s->catalogue.tubes[i].name;
-    return no_such("tube", name, names, count, err);
+    no_such("tube", name, names, count, err);
+    return NULL;
 }
 
-static bool take_phosphor(struct vm_settings *s, const char *name, struct crt_error *err)
+static bool take_phosphor(struct vm_settings *s, enum vm_head head, const char *name,
+                          struct crt_error *err)
 {
     const struct crt_phosphor *p = crt_catalogue_phosphor(&s->catalogue, name);
     const char *names[256];
     size_t count = 0;
     if (p) {
-        s->phosphor = *p;
-        return true;
+        s->monitor[head].phosphor = *p;
+        return crt_tube_check_phosphor(&s->monitor[head].row, p, err) &&
+               crt_penetration_fits(&s->monitor[head].row, p, err);
     }
     for (size_t i = 0; i < s->catalogue.phosphor_count && count < 256; i++)
         names[count++] = s->catalogue.phosphors[i].name;
@@ -83,7 +101,6 @@ struct glass {
 
 static bool glass_of(const char *name, struct glass *glass, struct crt_error *err)
 {
-    name = name ? name : DEFAULT_TUBE;
     size_t n = strcspn(name, "/");
     const char *phosphor = name[n] ? name + n + 1 : "";
     *glass = (struct glass){"", ""};
@@ -95,105 +112,96 @@ static bool glass_of(const char *name, struct glass *glass, struct crt_error *er
     return true;
 }
 
-/* ---- --set --------------------------------------------------------------------------------------
+/* ---- tubes --------------------------------------------------------------------------------------
  */
 
-static bool set_memory(struct vm_settings *s, const char *text, struct crt_error *err)
+/* What each head is to have, before phosphors are looked up. */
+struct choice {
+    bool named[VM_HEADS]; /* by an option */
+    char phosphor[VM_HEADS][16];
+};
+
+static enum vm_head head_of(const struct crt_tube_row *row)
 {
-    uint32_t bytes;
-    if (!vm_parse_bytes(text, &bytes, err))
+    return row->kind == CRT_RASTER_TUBE ? VM_RASTER : VM_VECTOR;
+}
+
+/* TUBE or TUBE/PHOSPHOR to the head it is for. */
+static bool choose(struct vm_settings *s, struct choice *c, const char *name, enum vm_head *head,
+                   struct crt_error *err)
+{
+    struct glass glass;
+    if (!glass_of(name, &glass, err))
         return false;
-    if (bytes < 1024 || bytes > DF_MEMORY_BYTES || bytes % 2)
-        return crt_fail(err, "%s is not a possible display memory; give 1K to 256K", text);
-    s->memory_bytes = bytes;
+    const struct crt_tube_row *row = find_tube(s, glass.tube, err);
+    if (!row)
+        return false;
+    *head = head_of(row);
+    s->monitor[*head].row = *row;
+    snprintf(c->phosphor[*head], sizeof c->phosphor[*head], "%s",
+             glass.phosphor[0] ? glass.phosphor : row->phosphor);
     return true;
 }
 
-static bool set_average(struct vm_settings *s, const char *text, struct crt_error *err)
+/* Those of the options; the main head is that of the one tube named. */
+static bool choose_by_options(struct vm_settings *s, struct choice *c, const struct vm_list *tubes,
+                              struct crt_error *err)
 {
-    struct vm_time time;
-    if (!vm_parse_time(text, &time, err))
-        return false;
-    if (time.in_ticks || time.value == 0)
-        return crt_fail(err, "'%s' must be a time above zero, such as 33.33us", text);
-    s->average_ps = time.value;
-    return true;
-}
-
-/* The number in front of the figure's unit, or a time where the unit is one. */
-static bool figure_value(const char *text, const char *unit, double *value, struct crt_error *err)
-{
-    char number[40];
-    size_t n = strlen(text), u = strlen(unit);
-    struct vm_time time;
-    if (strcmp(unit, "us") == 0 && n && text[n - 1] == 's') {
-        if (!vm_parse_time(text, &time, err))
+    for (int i = 0; i < tubes->count; i++) {
+        enum vm_head head;
+        if (!choose(s, c, tubes->item[i], &head, err))
             return false;
-        *value = (double)time.value / (double)CRT_PS_PER_US;
-        return true;
+        if (c->named[head])
+            return crt_fail(err, "--tube names two tubes for the %s head",
+                            head == VM_RASTER ? "raster" : "vector");
+        c->named[head] = true;
     }
-    if (n > u && strcmp(text + n - u, unit) == 0 && strcmp(unit, "1") != 0)
-        n -= u;
-    if (n >= sizeof number)
-        return crt_fail(err, "'%.60s' is not a number", text);
-    memcpy(number, text, n);
-    number[n] = '\0';
-    return vm_parse_real(number, -1e9, 1e9, value, err);
+    if (c->named[VM_RASTER] && !c->named[VM_VECTOR])
+        s->main = VM_RASTER;
+    return true;
 }
 
-static bool set_figure(struct vm_settings *s, const char *name, const char *text,
-                       struct crt_error *err)
+/* Defaults, then what the program says, then the options. */
+static int choose_tubes(struct vm_settings *s, const struct vm_settings_options *o,
+                        const struct crt_beam_header *recording, const char *tube,
+                        struct crt_error *err)
 {
-    const char *unit = "";
-    double value = 0;
-    struct crt_figure *figure = crt_tube_figure(&s->row, name, &unit);
-    if (!figure) {
-#define X(field, unit, meaning) #field,
-        static const char *const names[] = {CRT_TUBE_FIGURES(X) "memory", "dpu.average",
-                                            "brightness", "contrast", "focus"};
-#undef X
-        const char *near = vm_nearest(name, names, sizeof names / sizeof *names);
-        if (near)
-            return crt_fail(err, "there is no '%.60s' to set; did you mean %s?", name, near);
-        return crt_fail(
-            err, "there is no '%.60s' to set; kinescope list tubes --why names the figures", name);
+    struct choice c = {{false}, {""}};
+    enum vm_head head;
+    const char *said = recording ? recording->tube : tube;
+    if (!choose(s, &c, DEFAULT_VECTOR, &head, err) || !choose(s, &c, DEFAULT_RASTER, &head, err))
+        return 1;
+    if (said && o->tube.count == 0) {
+        if (!choose(s, &c, said, &head, err))
+            return 1;
+        s->main = head;
+        if (recording && recording->phosphor[0])
+            snprintf(c.phosphor[head], sizeof c.phosphor[head], "%s", recording->phosphor);
+    } else if (said && !choose(s, &c, said, &head, err)) {
+        return 1;
     }
-    if (!figure_value(text, unit, &value, err))
-        return false;
-    *figure = (struct crt_figure){value, value, value, "set on the command line"};
-    return crt_tube_check_figure(&s->row, name, err);
+    if (!choose_by_options(s, &c, &o->tube, err))
+        return 2;
+    s->view = vm_view_of_name(o->view);
+    if (s->view == VM_VIEW_RASTER || s->view == VM_VIEW_VECTOR)
+        s->main = s->view == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR;
+    for (int h = 0; h < VM_HEADS; h++) {
+        bool own = o->phosphor && h == (int)s->main;
+        if (!take_phosphor(s, (enum vm_head)h, own ? o->phosphor : c.phosphor[h], err))
+            return own || c.named[h] ? 2 : 1;
+    }
+    return 0;
 }
 
-static bool set_one(struct vm_settings *s, const char *item, struct crt_error *err)
+/* The raster head's mode: asked for, or the tube's own. */
+static bool take_mode(struct vm_settings *s, const char *mode, struct crt_error *err)
 {
-    char name[40];
-    size_t n = strcspn(item, "=");
-    if (item[n] != '=' || n == 0 || n >= sizeof name)
-        return crt_fail(err, "'%.60s' is not KEY=VALUE, such as memory=16K", item);
-    memcpy(name, item, n);
-    name[n] = '\0';
-    const char *text = item + n + 1;
-    if (strcmp(name, "memory") == 0)
-        return set_memory(s, text, err);
-    if (strcmp(name, "dpu.average") == 0)
-        return set_average(s, text, err);
-    if (strcmp(name, "brightness") == 0)
-        return vm_parse_real(text, -1, 1, &s->knobs.brightness, err);
-    if (strcmp(name, "contrast") == 0)
-        return vm_parse_real(text, 0, 4, &s->knobs.contrast, err);
-    if (strcmp(name, "focus") == 0)
-        return vm_parse_real(text, 0, 4, &s->knobs.focus, err);
-    return set_figure(s, name, text, err);
-}
-
-static bool set_all(struct vm_settings *s, const struct vm_list *set, struct crt_error *err)
-{
+    const struct crt_tube_row *row = &s->monitor[VM_RASTER].row;
+    struct ras_monitor monitor = ras_monitor_of(row);
     struct crt_error why;
-    for (int i = 0; i < set->count; i++)
-        if (!set_one(s, set->item[i], &why))
-            return crt_fail(err, "--set: %.400s", why.text);
-    if (!crt_tube_check(&s->row, &why))
-        return crt_fail(err, "--set: %.400s", why.text);
+    if (!ras_mode_parse(mode ? mode : row->mode, &s->timing, &why) ||
+        !ras_monitor_follows(&monitor, &s->timing, row->name, &why))
+        return crt_fail(err, "%s%.400s", mode ? "--mode: " : "", why.text);
     return true;
 }
 
@@ -216,6 +224,14 @@ static bool take_simd(struct vm_settings *s, const char *name, struct crt_error 
     return true;
 }
 
+/* Without colours on the tube the words that set them stay without effect, as on a VT11. */
+static enum df_personality take_personality(const char *name, const struct crt_tube_row *row)
+{
+    if (!name)
+        return crt_tube_has_group(row, CRT_GROUP_PENETRATION) ? DF_VS60 : DF_VT11;
+    return strcmp(name, "vs60") == 0 ? DF_VS60 : DF_VT11;
+}
+
 static int default_threads(void)
 {
     long n = sysconf(_SC_NPROCESSORS_ONLN);
@@ -227,7 +243,8 @@ int vm_settings_resolve(const struct vm_settings_options *o,
                         struct vm_settings *s, struct crt_error *err)
 {
     memset(s, 0, sizeof *s);
-    s->knobs = (struct crt_knobs){0, 1, 0};
+    for (int h = 0; h < VM_HEADS; h++)
+        s->monitor[h].knobs = (struct crt_knobs){0, 1, 0};
     s->memory_bytes = DF_ADDRESS_SPACE;
     s->on_stop = o->on_stop && strcmp(o->on_stop, "halt") == 0 ? VM_HALT : VM_RESTART;
     s->threads = o->threads ? (int)o->threads : default_threads();
@@ -236,24 +253,16 @@ int vm_settings_resolve(const struct vm_settings_options *o,
     for (int i = 0; i < o->tubes.count; i++)
         if (!crt_catalogue_load(&s->catalogue, o->tubes.item[i], err))
             return 1;
-    struct glass glass;
-    if (!glass_of(o->tube     ? o->tube
-                  : recording ? recording->tube
-                              : tube,
-                  &glass, err) ||
-        !take_tube(s, glass.tube, err))
-        return o->tube ? 2 : 1;
-    const char *phosphor = o->phosphor                           ? o->phosphor
-                           : glass.phosphor[0]                   ? glass.phosphor
-                           : recording && recording->phosphor[0] ? recording->phosphor
-                                                                 : s->row.phosphor;
-    if (!take_phosphor(s, phosphor, err))
-        return o->phosphor || o->tube ? 2 : 1;
-    if (!set_all(s, &o->set, err) || !take_simd(s, o->simd, err))
+    int status = choose_tubes(s, o, recording, tube, err);
+    if (status)
+        return status;
+    s->personality = take_personality(o->personality, &s->monitor[VM_VECTOR].row);
+    if (!vm_settings_set(s, &o->set, err) || !take_mode(s, o->mode, err) ||
+        !take_simd(s, o->simd, err))
         return 2;
     s->tick = o->refresh.num ? o->refresh
               : recording    ? recording->tick
-                             : vm_rate_of_hz(s->row.sync.value);
+                             : vm_rate_of_hz(s->monitor[VM_VECTOR].row.sync.value);
     double hz = (double)s->tick.num / (double)s->tick.den;
     return usage((hz >= 0.1 && hz <= 1e5) ||
                  crt_fail(err, "a sync tick of %g Hz is out of range; give 0.1 to 100000", hz));
@@ -265,25 +274,38 @@ void vm_settings_free(struct vm_settings *s)
 }
 
 struct vm_machine_desc vm_settings_machine(const struct vm_settings *s,
-                                           enum df_timing_choice choice, struct crt_tube *tube)
+                                           enum df_timing_choice choice)
 {
-    struct df_timing timing = df_timing_of_tube(&s->row, choice);
+    const struct crt_tube_row *row = &s->monitor[VM_VECTOR].row;
+    struct df_timing timing = df_timing_of_tube(row, choice);
     timing.average_ps = s->average_ps;
-    return (struct vm_machine_desc){.row = &s->row,
+    return (struct vm_machine_desc){.row = row,
                                     .timing = timing,
+                                    .personality = s->personality,
                                     .tick = s->tick,
                                     .memory_bytes = s->memory_bytes,
                                     .on_stop = s->on_stop,
-                                    .tube = tube};
+                                    .raster_row = &s->monitor[VM_RASTER].row,
+                                    .raster_timing = s->timing};
 }
 
-struct crt_tube_desc vm_settings_tube(const struct vm_settings *s)
+static struct crt_tube_desc tube_desc(const struct vm_settings *s, enum vm_head head)
 {
-    return (struct crt_tube_desc){.row = &s->row,
-                                  .phosphor = &s->phosphor,
-                                  .grid = crt_tube_grid(&s->row),
-                                  .epoch = s->tick,
-                                  .knobs = s->knobs,
+    const struct vm_monitor *m = &s->monitor[head];
+    return (struct crt_tube_desc){.row = &m->row,
+                                  .phosphor = &m->phosphor,
+                                  .grid = crt_tube_grid(&m->row),
+                                  .epoch = head == VM_RASTER ? ras_field_rate(&s->timing) : s->tick,
+                                  .knobs = m->knobs,
                                   .threads = s->threads,
                                   .simd = s->simd};
+}
+
+struct vm_tubes vm_settings_tubes(const struct vm_settings *s, enum vm_view view)
+{
+    struct vm_tubes tubes = {.heads = view == VM_VIEW_AUTO ? VM_VIEW_BOTH : view};
+    for (int h = 0; h < VM_HEADS; h++)
+        if (tubes.heads >> h & 1)
+            tubes.desc[h] = tube_desc(s, (enum vm_head)h);
+    return tubes;
 }

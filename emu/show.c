@@ -54,22 +54,23 @@ static void run_machine(struct vm_show *show, uint64_t until)
     vm_machine_run(m, until);
 }
 
-/* The same with the film open. */
+/* The same with the films open. */
 static void expose(struct vm_show *show, uint64_t until)
 {
     struct vm_machine *m = show->program->rig.machine;
-    struct crt_film *film = &show->program->film, before = *film;
+    struct vm_frame *frame = &show->program->frame, before = *frame;
     uint64_t from = m->now;
     if (until <= from)
         return;
-    crt_film_open(show->program->rig.tube, film, from, until);
+    vm_frame_open(frame, &show->program->rig, from, until);
     run_machine(show, until);
-    show->film_ready = film->complete || crt_film_end(show->program->rig.tube, film);
+    show->film_ready = vm_frame_end(frame, &show->program->rig);
     if (show->film_ready) {
-        crt_glass_film(show->glass, film, &show->program->settings.phosphor);
+        vm_show_develop(show);
     } else if (m->now <= from) { /* it stands, or has gone back: what was gathered before stays */
-        *film = before;
-        show->film_ready = film->complete;
+        vm_frame_cancel(frame, &show->program->rig);
+        *frame = before;
+        show->film_ready = vm_frame_complete(frame);
     }
 }
 
@@ -126,22 +127,8 @@ static void run_frame(struct vm_show *show, double now)
         show->quit = true;
 }
 
-/* ---- the picture --------------------------------------------------------------------------------
+/* ---- the program ------------------------------------------------------------------------------
  */
-
-static void draw(struct vm_show *show, double now)
-{
-    int width, height;
-    bool changed;
-    vm_window_size(show->window, &width, &height);
-    if (width <= 0 || height <= 0)
-        return;
-    const uint8_t *overlay = vm_hud_draw(show->hud, width, height, now, &changed);
-    if (changed)
-        crt_glass_overlay(show->glass, overlay, width, height);
-    crt_glass_draw(show->glass, &show->program->light, 0, width, height);
-    vm_window_swap(show->window);
-}
 
 static void look_after_console(struct vm_show *show)
 {
@@ -191,7 +178,7 @@ static void loop(struct vm_show *show)
         run_frame(show, now);
         vm_show_note(show);
         vm_show_status(show, now);
-        draw(show, now);
+        vm_show_draw(show, now);
     }
 }
 
@@ -204,9 +191,11 @@ static bool open_all(struct vm_show *show, struct crt_error *err)
     show->window = vm_window_open(d->size.width, d->size.height, "kinescope", err);
     if (!show->window)
         return false;
-    show->glass = crt_glass_create(vm_window_loader(show->window), err);
-    if (!show->glass)
-        return false;
+    for (int h = 0; h < VM_HEADS; h++) {
+        show->glass[h] = crt_glass_create(vm_window_loader(show->window), err);
+        if (!show->glass[h])
+            return false;
+    }
     show->hud = vm_hud_create(err);
     if (!show->hud)
         return false;
@@ -221,8 +210,9 @@ static void close_all(struct vm_show *show)
     vm_show_close(show->program);
     if (show->hud)
         vm_hud_destroy(show->hud);
-    if (show->glass)
-        crt_glass_destroy(show->glass);
+    for (int h = 0; h < VM_HEADS; h++)
+        if (show->glass[h])
+            crt_glass_destroy(show->glass[h]);
     if (show->window)
         vm_window_close(show->window);
 }

@@ -1,6 +1,6 @@
 /* show.h — a program in a window: real time or slowed, with knobs, help and a status line.
  *
- *      host clock ─▶ pace ─▶ machine ─▶ tube ─▶ film of this frame ─▶ glass ─▶ window
+ *      host clock ─▶ pace ─▶ machine ─▶ tubes ─▶ films of this frame ─▶ glass ─▶ window
  *      events ─▶ keys (show_keys.c) ─▶ pause, scale, knobs, program ─┘      hud ┘
  *
  * Time:       each host frame the machine runs to T + min(elapsed, 50 ms) × scale and the film
@@ -18,11 +18,12 @@
 #include "emu/debug/gdb_past.h"
 #include "emu/debug/history.h"
 #include "emu/hud.h"
+#include "emu/frame.h"
 #include "emu/picture.h"
-#include "emu/rig.h"
 #include "emu/roms.h"
 #include "emu/saved.h"
 #include "emu/terminal.h"
+#include "emu/view.h"
 #include "emu/window.h"
 
 struct vm_show_desc {
@@ -50,9 +51,9 @@ enum vm_knob { VM_KNOB_BRIGHTNESS, VM_KNOB_CONTRAST, VM_KNOB_FOCUS };
 struct vm_shown {
     struct vm_input input;
     struct vm_settings settings;
-    struct crt_glass_settings light;
+    struct vm_lights lights;
     struct vm_rig rig;
-    struct crt_film film;
+    struct vm_frame frame;
     struct vm_history *history; /* NULL: no memory for it, or there is nothing to step by */
     struct vm_gdb_past past;    /* a debugger's way to it */
     uint64_t from;              /* when the show of it began: later than 0 with --load-state */
@@ -61,14 +62,16 @@ struct vm_shown {
 struct vm_show {
     const struct vm_show_desc *desc;
     struct vm_window *window;
-    struct crt_glass *glass;
+    struct crt_glass *glass[VM_HEADS];
     struct vm_hud *hud;
+    enum vm_view view;       /* wanted; F2 */
+    enum vm_view view_drawn; /* in the last picture; never auto */
 
     /* The program (show_program.c). */
     struct vm_shown *program;
     char path[4096];
-    uint64_t stamp; /* of the files shown, when they were read */
-    bool film_ready;
+    uint64_t stamp;  /* of the files shown, when they were read */
+    bool film_ready; /* program->frame holds light */
 
     /* The tour. */
     struct vm_roms roms;
@@ -104,6 +107,13 @@ void vm_show_close(struct vm_shown *program);
 /* Loads the file again when it has changed (or `force`), without disturbing time or phosphor. */
 void vm_show_reload(struct vm_show *show, bool force);
 bool vm_show_tour(struct vm_show *show, int step, struct crt_error *err);
+
+/* show_draw.c: the frame to the glasses; both to the window; a picture of the window. */
+void vm_show_develop(struct vm_show *show);
+void vm_show_draw(struct vm_show *show, double now);
+bool vm_show_picture(struct vm_show *show, struct crt_image *image, struct crt_error *err);
+/* F2: the next view. */
+void vm_show_next_view(struct vm_show *show);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
 void vm_show_status(struct vm_show *show, double now);

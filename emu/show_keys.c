@@ -94,6 +94,14 @@ static void say_knob(struct vm_show *show)
     vm_show_say(show, text);
 }
 
+/* Of the monitors that are looked at; they are turned together. */
+static void set_knobs(struct vm_show *show)
+{
+    for (int h = 0; h < VM_HEADS; h++)
+        if (show->program->rig.tube[h] && (show->view_drawn & 1 << h))
+            crt_tube_set_knobs(show->program->rig.tube[h], show->knobs);
+}
+
 static void turn_knob(struct vm_show *show, int direction)
 {
     static const double steps[] = {0.02, 0.05, 0.1}, low[] = {-1, 0, 0}, high[] = {1, 4, 4};
@@ -103,7 +111,7 @@ static void turn_knob(struct vm_show *show, int direction)
     *value = round((*value + direction * steps[k]) / steps[k]) * steps[k];
     *value = fmin(fmax(*value, low[k]), high[k]);
     show->knobs_touched = true;
-    crt_tube_set_knobs(show->program->rig.tube, show->knobs);
+    set_knobs(show);
     vm_show_mark(show);
     say_knob(show);
 }
@@ -112,7 +120,7 @@ static void reset_knobs(struct vm_show *show)
 {
     show->knobs = (struct crt_knobs){0, 1, 0};
     show->knobs_touched = true;
-    crt_tube_set_knobs(show->program->rig.tube, show->knobs);
+    set_knobs(show);
     vm_show_mark(show);
     vm_show_say(show, "all knobs neutral");
 }
@@ -132,13 +140,10 @@ static void screenshot(struct vm_show *show)
     do
         snprintf(name, sizeof name, "kinescope-%03d.png", ++show->shots);
     while (show->shots < 999 && access(name, F_OK) == 0);
-    /* The picture is of the glass, not of the text over it. */
-    crt_glass_overlay(show->glass, NULL, 0, 0);
-    bool ok =
-        vm_window_screenshot(show->window, show->glass, &show->program->light, 8, &image, &err);
+    bool ok = vm_show_picture(show, &image, &err);
     if (ok) {
         ok = vm_picture_write(name, &image, show->program->input.name, &show->program->settings,
-                              &show->program->film, &err);
+                              &show->program->frame, &err);
         crt_image_free(&image);
     }
     snprintf(text, sizeof text, "screenshot %s", name);
@@ -208,7 +213,7 @@ static void function_key(struct vm_show *show, int f, unsigned modifiers)
         vm_hud_help(show->hud, !vm_hud_help_shown(show->hud), help, sizeof help / sizeof *help);
         break;
     case 2:
-        vm_show_say(show, "there is one head: the vector head");
+        vm_show_next_view(show);
         break;
     case 5:
         toggle_pause(show);

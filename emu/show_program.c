@@ -17,8 +17,9 @@ static int encode(double linear)
 static void tint_text(struct vm_show *show)
 {
     double rgb[3];
-    const struct crt_phosphor *p = &show->program->settings.phosphor;
-    crt_fit_srgb(0.6, p->colour[p->colours - 1], rgb);
+    const struct vm_settings *s = &show->program->settings;
+    const struct crt_phosphor *p = &s->monitor[s->main].phosphor;
+    crt_fit_srgb(0.6, p->colour[p->colours == 3 ? 1 : p->colours - 1], rgb);
     vm_hud_tint(show->hud, encode(rgb[0]), encode(rgb[1]), encode(rgb[2]));
 }
 
@@ -57,7 +58,7 @@ void vm_show_close(struct vm_shown *program)
 {
     if (!program)
         return;
-    crt_film_free(&program->film);
+    vm_frame_free(&program->frame);
     vm_history_destroy(program->history);
     vm_rig_close(&program->rig);
     vm_input_free(&program->input);
@@ -72,12 +73,12 @@ static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, st
     const struct crt_beam_header *header = p->input.is_recording ? &p->input.header : NULL;
     const char *glass = tube ? tube : vm_input_tube(&p->input);
     if (vm_settings_resolve(d->settings, header, glass, &p->settings, err) ||
-        vm_light_settings(d->light, &p->settings, &p->light, err))
+        vm_light_settings(d->light, &p->settings, &p->lights, err))
         return false;
-    if (show->knobs_touched)
-        p->settings.knobs = show->knobs;
-    struct crt_tube_desc desc = vm_settings_tube(&p->settings);
-    if (!vm_rig_open(&p->rig, &p->settings, &p->input, DF_TIMING_VALUE, &desc, err))
+    for (int h = 0; h < VM_HEADS && show->knobs_touched; h++)
+        p->settings.monitor[h].knobs = show->knobs;
+    struct vm_tubes tubes = vm_settings_tubes(&p->settings, VM_VIEW_BOTH);
+    if (!vm_rig_open(&p->rig, &p->settings, &p->input, DF_TIMING_VALUE, &tubes, err))
         return false;
     if (d->console && p->rig.console)
         p->rig.console->desc = vm_terminal_console(&show->terminal);
@@ -85,7 +86,7 @@ static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, st
     if (!show->program && !vm_saved_load(d->saved, &p->rig, &p->settings, &p->input, err))
         return false;
     p->from = p->rig.machine->now;
-    if (!crt_film_init(&p->film, p->rig.tube, err))
+    if (!vm_frame_init(&p->frame, &p->rig, err))
         return false;
     /* Without memory for it the show goes on, only not back. */
     struct crt_error lost;
@@ -133,7 +134,9 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
     vm_show_close(show->program);
     show->program = program;
     show->film_ready = false;
-    show->knobs = program->settings.knobs;
+    show->knobs = program->settings.monitor[program->settings.main].knobs;
+    show->view = program->settings.view;
+    show->view_drawn = VM_VIEW_AUTO;
     if (path != show->path)
         snprintf(show->path, sizeof show->path, "%s", path);
     note_time(show);

@@ -86,6 +86,9 @@ void vm_show_status(struct vm_show *show, double now)
     char text[400], time[32], scale[64];
     int width, height;
     const struct vm_machine *m = show->program->rig.machine;
+    const struct vm_monitor *monitor =
+        &show->program->settings
+             .monitor[show->view_drawn == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR];
     measure_speed(show, now);
     if (now - show->status_since < STATUS_S)
         return;
@@ -99,8 +102,8 @@ void vm_show_status(struct vm_show *show, double now)
              (double)m->now / (double)CRT_PS_PER_S);
     describe_scale(show, scale, sizeof scale);
     const struct vm_status status = {.name = show->program->input.name,
-                                     .tube = show->program->settings.row.name,
-                                     .phosphor = show->program->settings.phosphor.name,
+                                     .tube = monitor->row.name,
+                                     .phosphor = monitor->phosphor.name,
                                      .time = time,
                                      .scale = scale,
                                      .state = describe_state(m),

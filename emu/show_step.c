@@ -62,16 +62,16 @@ static bool expose(struct vm_show *show, const struct place *place, struct crt_e
 {
     struct vm_shown *p = show->program;
     struct vm_machine *m = p->rig.machine;
-    uint64_t tick = crt_tick_time(p->settings.tick, 1);
+    uint64_t tick = vm_view_exposure(vm_view_now(show->view, m), m);
     uint64_t from = place->now > tick ? place->now - tick : 0;
     if (!vm_history_recall(p->history, from, err))
         return false;
     if (from > m->now)
         vm_machine_run(m, from);
     if (place->now > m->now) {
-        crt_film_open(p->rig.tube, &p->film, m->now, place->now);
+        vm_frame_open(&p->frame, &p->rig, m->now, place->now);
         vm_machine_run(m, place->now);
-        crt_glass_film(show->glass, &p->film, &p->settings.phosphor);
+        vm_show_develop(show);
         show->film_ready = true;
     }
     /* What happens at that very moment, and had happened. */

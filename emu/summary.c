@@ -11,7 +11,7 @@
 struct measure {
     uint64_t refreshes;
     uint64_t shortest, longest, total;
-    uint64_t words, instructions, strokes, lit;
+    uint64_t words, instructions, strokes, lit, colours;
     uint64_t first_begin, last_begin, periods;
     uint64_t late, first_late,
         first_late_begin; /* refreshes longer than a tick; the first's number */
@@ -58,8 +58,10 @@ static bool measure(const struct vm_settings *s, const struct vm_input *input,
     while ((length || result->periods == 0) &&
            vm_machine_run_refresh(m, length ? length : PATIENCE_PS)) {
         add_period(result, &m->refreshes.last, result->refreshes == 0);
-        if (length || result->refreshes == 0)
+        if (length || result->refreshes == 0) {
             add(result, &m->refreshes.last, crt_tick_time(s->tick, 1));
+            result->colours = m->dpu.usage.colours;
+        }
     }
     result->flow = m->refreshes.flow;
     result->declared = m->refreshes.declared;
@@ -102,7 +104,7 @@ static void print_refresh(FILE *out, const struct vm_settings *s, const struct m
     vm_format_time(low->total / low->refreshes, from, sizeof from);
     vm_format_time(high->total / high->refreshes, to, sizeof to);
     fprintf(out, ", uncertain: %s to %s (times of the %s row; list tubes --why)\n", from, to,
-            s->row.name);
+            s->monitor[VM_VECTOR].row.name);
 }
 
 static void print_rate(FILE *out, const struct vm_input *input, const struct measure *m)
@@ -158,7 +160,8 @@ static void print_all(FILE *out, const struct vm_settings *s, const struct vm_in
                       const struct measure *m, const struct measure *low,
                       const struct measure *high)
 {
-    fprintf(out, "%s on %s (%s)", input->name, s->row.name, s->phosphor.name);
+    fprintf(out, "%s on %s (%s)", input->name, s->monitor[VM_VECTOR].row.name,
+            s->monitor[VM_VECTOR].phosphor.name);
     if (m->refreshes > 1)
         fprintf(out, ", %llu refreshes", (unsigned long long)m->refreshes);
     else
@@ -177,6 +180,21 @@ static void print_all(FILE *out, const struct vm_settings *s, const struct vm_in
             100.0 * (double)m->lit / (double)m->total);
 }
 
+/* Changes of the colour and what they cost, on a tube where they do. */
+static void print_colours(FILE *out, const struct vm_settings *s, const struct measure *m)
+{
+    char text[32];
+    if (m->colours == 0)
+        return;
+    print_count(out, "colours", m->colours, m);
+    double ps =
+        s->average_ps ? 0 : s->monitor[VM_VECTOR].row.colour_switch.value * (double)CRT_PS_PER_US;
+    vm_format_time((uint64_t)(mean(m->colours, m) * ps), text, sizeof text);
+    if (ps > 0)
+        fprintf(out, ", with the beam off for %s while they change", text);
+    fputc('\n', out);
+}
+
 int vm_print_summary(FILE *out, const struct vm_time *length, const struct vm_settings *s,
                      const struct vm_input *input, struct crt_error *err)
 {
@@ -189,6 +207,7 @@ int vm_print_summary(FILE *out, const struct vm_time *length, const struct vm_se
         !measure(s, input, DF_TIMING_HIGH, ps, &high, err))
         return 1;
     print_all(out, s, input, &m, &low, &high);
+    print_colours(out, s, &m);
     if (m.strokes == 0) {
         crt_fail(err, "%s never lights the beam in the time measured", input->name);
         return 1;

@@ -1,11 +1,23 @@
 #include "emu/trace_lines.h"
 
 #include "crt/beam_file.h"
+#include "crt/penetration.h"
 #include "display_file/df_regs.h"
 #include "emu/cpu/rv_disasm.h"
 #include "emu/memmap.h"
 
 #define ULL(x) ((unsigned long long)(x))
+
+static void print_registers(FILE *out, uint64_t t, uint16_t address, uint16_t word,
+                            const struct df_dpu *dpu)
+{
+    enum crt_level level = df_dpu_level(dpu);
+    fprintf(out, "dpu %llu DPC=%06o WORD=%06o MPR=%06o XPR=%06o YPR=%06o", ULL(t), address, word,
+            df_dpu_read(dpu, DF_MPR), df_dpu_read(dpu, DF_XPR), df_dpu_read(dpu, DF_YPR));
+    if (level != CRT_LEVEL_ONLY)
+        fprintf(out, " COLOUR=%s", crt_level_name(level));
+    fputc('\n', out);
+}
 
 static void print_word(void *ctx, uint64_t t, uint16_t address, uint16_t word, bool fetched,
                        const struct df_dpu *dpu)
@@ -14,8 +26,7 @@ static void print_word(void *ctx, uint64_t t, uint16_t address, uint16_t word, b
     if (!fetched)
         fprintf(l->out, "# dpu %llu bus time-out at DPC=%06o\n", ULL(t), address);
     else
-        fprintf(l->out, "dpu %llu DPC=%06o WORD=%06o MPR=%06o XPR=%06o YPR=%06o\n", ULL(t), address,
-                word, df_dpu_read(dpu, DF_MPR), df_dpu_read(dpu, DF_XPR), df_dpu_read(dpu, DF_YPR));
+        print_registers(l->out, t, address, word, dpu);
 }
 
 static void print_stroke(void *ctx, const struct crt_stroke *stroke)
@@ -88,11 +99,38 @@ static void print_interrupt(void *ctx, struct rv_cpu *cpu, uint32_t cause)
             ULL(vm_board_time(l->board, cpu->cycle)), rv_cause_name(cause), cpu->mepc);
 }
 
-void vm_trace_lines_init(struct vm_trace_lines *l, enum vm_trace_what what, FILE *out,
-                         const struct vm_board *board)
+/* ---- video --------------------------------------------------------------------------------------
+ */
+
+static void print_signal(void *ctx, enum ras_signal signal, bool level, uint64_t t)
 {
-    *l = (struct vm_trace_lines){.out = out, .board = board};
-    l->hooks.ctx = l->processor.ctx = l;
+    const struct vm_trace_lines *l = ctx;
+    uint32_t line = 0, dot;
+    if (signal != RAS_PICTURE) {
+        fprintf(l->out, "video %llu %s %s\n", ULL(t), signal == RAS_HSYNC ? "hsync" : "vsync",
+                level ? "high" : "low");
+        return;
+    }
+    /* The last dot of a row is still its own. */
+    ras_head_beam(l->head, level ? t : t - 1, &line, &dot);
+    fprintf(l->out, "video %llu row %lu %s\n", ULL(t), (unsigned long)line,
+            level ? "begins" : "ends");
+}
+
+static void print_latch(void *ctx, uint64_t t)
+{
+    const struct vm_trace_lines *l = ctx;
+    const struct ras_latch *latch = &l->head->latch;
+    fprintf(l->out, "video %llu retrace base=%08lx pitch=%lu format=%lu\n", ULL(t),
+            (unsigned long)latch->base, (unsigned long)latch->pitch, (unsigned long)latch->format);
+}
+
+void vm_trace_lines_init(struct vm_trace_lines *l, enum vm_trace_what what, FILE *out,
+                         const struct vm_machine *machine)
+{
+    *l =
+        (struct vm_trace_lines){.out = out, .board = machine->desc.board, .head = &machine->raster};
+    l->hooks.ctx = l->processor.ctx = l->raster.ctx = l;
     if (what == VM_TRACE_DPU)
         l->hooks.word = print_word;
     if (what == VM_TRACE_BEAM)
@@ -103,6 +141,11 @@ void vm_trace_lines_init(struct vm_trace_lines *l, enum vm_trace_what what, FILE
     }
     if (what == VM_TRACE_IRQ)
         l->hooks.line = print_line;
+    if (what == VM_TRACE_VIDEO) {
+        l->raster.signal = print_signal;
+        l->raster.latch = print_latch;
+        l->hooks.raster = &l->raster;
+    }
     if (what == VM_TRACE_CPU || what == VM_TRACE_IRQ) {
         l->processor.interrupt = print_interrupt;
         l->hooks.processor = &l->processor;

@@ -1,9 +1,13 @@
 /* trace_lines.h — the machine's events as text, one line each.
  *
- *      dpu <t> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo       word executed
+ *      dpu <t> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo       word executed; with the
+ *          VS60's colours also COLOUR=green
  *      cpu <t> PC=hhhhhhhh WORD=hhhhhhhh addi a0,a0,1 a0=hhhhhhhh             instruction and its effect
  *      irq <t> stop high                                                     line of a device
  *      irq <t> processor takes machine external interrupt at PC=hhhhhhhh
+ *      video <t> hsync high                                                  sync pulse, on or off
+ *      video <t> row 17 begins                                               of the picture
+ *      video <t> retrace base=hhhhhhhh pitch=1024 format=8                   what is taken then
  *
  * Time:       picoseconds since power-on: when the word was fetched, the instruction begun.
  * Effects:    the register written; of a store [address]=value, of a jump nothing, of a trap its cause.
@@ -17,7 +21,7 @@
 
 #include "emu/machine.h"
 
-enum vm_trace_what { VM_TRACE_DPU, VM_TRACE_BEAM, VM_TRACE_CPU, VM_TRACE_IRQ };
+enum vm_trace_what { VM_TRACE_DPU, VM_TRACE_BEAM, VM_TRACE_CPU, VM_TRACE_IRQ, VM_TRACE_VIDEO };
 
 struct vm_trace_lines {
     FILE *out;
@@ -25,11 +29,13 @@ struct vm_trace_lines {
     struct rv_access access;      /* of the instruction being executed */
     bool accesses;
     struct rv_hooks processor;
+    const struct ras_head *head;
+    struct ras_hooks raster;
     struct vm_hooks hooks; /* for vm_machine_trace */
 };
 
 /* `lines` must stay where it is while its hooks are in use. */
 void vm_trace_lines_init(struct vm_trace_lines *lines, enum vm_trace_what what, FILE *out,
-                         const struct vm_board *board);
+                         const struct vm_machine *machine);
 
 #endif

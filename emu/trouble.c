@@ -133,7 +133,7 @@ enum vm_trouble vm_find_trouble(const struct vm_machine *m, const struct vm_inpu
                    : "end the display file with a jump or a stop word that lies within it");
         return VM_TROUBLE_TIMEOUT;
     }
-    if (m->strokes == m->strokes_before) {
+    if (m->strokes == m->strokes_before && !vm_machine_uses_raster(m)) {
         explain_dark(m, input, sentence);
         return VM_TROUBLE_DARK;
     }

@@ -7,7 +7,7 @@
  *             525/60i mode. Interlaced: vertical figures are lines of the whole frame; total is odd,
  *             so that the second field begins in the middle of a line.
  * Units:      dots, lines, Hz.
- * Sources:    VESA Display Monitor Timing Standard 1.0 rev. 13; CVT 1.2 by libxcvt; for 525/60i see
+ * Sources:    VESA Display Monitor Timing Standard 1.0 rev. 13; VESA CVT by libxcvt; for 525/60i see
  *             mode_table.c.
  * Ownership:  plain values.
  * Errors:     one sentence, with the figures.
@@ -23,6 +23,8 @@
 #include "crt/error.h"
 #include "crt/ticks.h"
 #include "crt/tube_table.h"
+
+#define RAS_MAX_DOTS 4096 /* visible, of a line */
 
 struct ras_span {
     uint32_t visible, sync_start, sync_end, total;
@@ -44,13 +46,14 @@ struct ras_mode {
 /* The table. */
 const struct ras_mode *ras_modes(size_t *count);
 
-/* "1024x768@60", "1024x768" (60 Hz), "1024x768@43i" (fields a second), "525/60i": the table's, else
- * CVT. False and a sentence for what cannot be. */
+/* "1024x768@60", "1024x768" (60 Hz), "640x480@59.94", "1024x768@60i" (fields a second), "525/60i": the
+ * mode of that name, else the table's of that size and, rounded to as many places, that rate, else CVT.
+ * ("1024x768@43i" has its name by frames.) False and a sentence for what cannot be. */
 bool ras_mode_parse(const char *text, struct ras_timing *timing, struct crt_error *err);
 
-/* Whether a timing makes sense at all: 8 … 4096 dots and 1 … 4096 lines visible, parts in order,
- * sync not empty, interlaced totals odd and even line lengths, dot clock 0.1 … 1000 MHz, at most
- * 1000 fields a second. */
+/* Whether a timing makes sense at all: 8 … 4096 dots and 1 … 4096 lines visible, at most 16384 in all,
+ * parts in order, sync not empty; interlaced: an odd number of lines, one of them after sync, an even
+ * number of dots; dot clock 0.1 … 1000 MHz, at most 1000 fields a second. */
 bool ras_timing_check(const struct ras_timing *timing, struct crt_error *err);
 
 /* Rates as exact ratios. A field is a frame when not interlaced. */
@@ -60,7 +63,7 @@ struct crt_rate ras_field_rate(const struct ras_timing *timing);
 /* Dots of a field; a whole number also when interlaced. */
 uint64_t ras_field_dots(const struct ras_timing *timing);
 
-/* "1024x768@60" or "@43i", for titles: rates rounded to whole numbers. */
+/* For titles: the table's name, else like "1024x768@60", the rate of fields rounded. */
 void ras_timing_name(const struct ras_timing *timing, char *text, size_t size);
 
 /* What a monitor can follow. */

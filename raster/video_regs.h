@@ -7,7 +7,8 @@
  *             only. All registers are 32 bits wide; the refresh buffer takes 8, 16 and 32 bits.
  * Use:        at power-on the timing registers hold the mode the machine was started with (--mode, or
  *             the tube's own), BASE 0, PITCH and FORMAT 8 bits a pixel, sync off. Set what differs,
- *             write VIDEO_CONTROL_ON. A new timing is taken when VIDEO_LOAD is written.
+ *             write VIDEO_CONTROL_ON: a first field begins. A new timing is taken when VIDEO_LOAD is
+ *             written. Whenever a timing begins, BASE, PITCH and FORMAT are taken at once.
  * Units:      dots and lines; bytes in the refresh buffer; Hz.
  * Source:     ours; the habits are those of the boards of the time: counters that end visible part,
  *             sync pulse and total, registers that wait for retrace.
@@ -21,7 +22,7 @@
 
 #define VIDEO_CONTROL       0x00
 #define VIDEO_CONTROL_ON    1 /* sync and scan; 0: the monitor sees no signal */
-#define VIDEO_CONTROL_BLANK 2 /* black picture, sync goes on */
+#define VIDEO_CONTROL_BLANK 2 /* black picture and overscan from the next line on, sync goes on */
 
 #define VIDEO_STATUS            0x04
 #define VIDEO_STATUS_VBLANK     0x0001 /* read: not in the picture's lines */
@@ -51,12 +52,14 @@
 #define VIDEO_FORMAT_24 24 /* bytes blue, green, red */
 #define VIDEO_FORMAT_32 32 /* 00RRGGBB, little-endian */
 
-#define VIDEO_OVERSCAN     0x18 /* 00RRGGBB: around the picture, as far as the tube shows; at once */
+#define VIDEO_OVERSCAN                                                                             \
+    0x18 /* 00RRGGBB: around the picture, as far as the tube shows; from the next line on */
 #define VIDEO_LINE_COMPARE 0x1C /* picture line at whose beginning COMPARE is set; ~0: none */
 
 /* Where the beam is, exact to the dot. Lines count from 0 at the top of the picture to V_TOTAL − 1
- * (interlaced: the rows of the field being scanned, 0, 2, 4 … or 1, 3, 5 …), dots from 0 at the left
- * to H_TOTAL − 1. */
+ * (interlaced: the rows of the field being scanned, 0, 2, 4 … or 1, 3, 5 …; the line in whose middle
+ * the second field begins is V_TOTAL − 1 throughout), dots from 0 at the left to H_TOTAL − 1. All 0,
+ * and in blanking, while sync is off. */
 #define VIDEO_BEAM_LINE 0x20 /* read */
 #define VIDEO_BEAM_DOT  0x24 /* read */
 #define VIDEO_FIELDS    0x28 /* read: fields begun since the timing was taken, modulo 2^32 */
@@ -81,7 +84,8 @@
 #define VIDEO_SYNC_H_PLUS     1
 #define VIDEO_SYNC_V_PLUS     2
 #define VIDEO_SYNC_INTERLACED 4
-#define VIDEO_LOAD            0x68 /* write anything: the timing is taken; a first field begins now */
+#define VIDEO_LOAD                                                                                 \
+    0x68 /* write anything: the timing is taken; while sync is on, a first field begins now */
 
 /* Look-up table, at MAP_VIDEO_LUT: 256 words 00RRGGBB; acts from the next line on. At power-on
  * entry n is grey n. */

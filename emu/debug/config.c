@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define VERSION 1
+#define VERSION 2
 
 /* ---- fields, written as a snapshot would ------------------------------------------------------- */
 
@@ -24,6 +24,7 @@ static void stroke_fields(struct crt_state *s, struct crt_stroke stroke)
     crt_state_f32(s, &stroke.y1);
     crt_state_f32(s, &stroke.drive);
     crt_state_u32(s, &stroke.source);
+    crt_state_u32(s, &stroke.level);
 }
 
 static void segment_fields(struct crt_state *s, struct vm_elf_segment segment)
@@ -84,19 +85,36 @@ static void phosphor_fields(struct crt_state *s, const struct crt_phosphor *give
     }
 }
 
+static void span_fields(struct crt_state *s, struct ras_span span)
+{
+    crt_state_u32(s, &span.visible);
+    crt_state_u32(s, &span.sync_start);
+    crt_state_u32(s, &span.sync_end);
+    crt_state_u32(s, &span.total);
+}
+
+static void timing_fields(struct crt_state *s, struct ras_timing timing)
+{
+    rate_fields(s, timing.clock);
+    span_fields(s, timing.h);
+    span_fields(s, timing.v);
+    crt_state_bool(s, &timing.interlaced);
+}
+
 static void machine_fields(struct crt_state *s, const struct vm_machine_desc *desc)
 {
     struct df_timing t = desc->timing;
-    uint64_t *const times[] = {&t.fetch_ps,       &t.vector_setup_ps, &t.vector_unit_ps,
-                               &t.vector_rest_ps, &t.settle_ps,       &t.settle_unit_ps,
-                               &t.settle_max_ps,  &t.point_ps,        &t.character_ps,
-                               &t.dot_ps,         &t.intensify_ps,    &t.average_ps};
+    uint64_t *const times[] = {
+        &t.fetch_ps,       &t.vector_setup_ps,  &t.vector_unit_ps, &t.vector_rest_ps, &t.settle_ps,
+        &t.settle_unit_ps, &t.settle_max_ps,    &t.point_ps,       &t.character_ps,   &t.dot_ps,
+        &t.intensify_ps,   &t.colour_switch_ps, &t.average_ps};
     uint32_t memory_bytes = desc->memory_bytes;
-    uint8_t on_stop = (uint8_t)desc->on_stop;
+    uint8_t on_stop = (uint8_t)desc->on_stop, personality = (uint8_t)desc->personality;
     for (size_t i = 0; i < sizeof times / sizeof *times; i++)
         crt_state_u64(s, times[i]);
     crt_state_u32(s, &memory_bytes);
     crt_state_u8(s, &on_stop);
+    crt_state_u8(s, &personality);
     rate_fields(s, desc->tick);
     if (desc->board)
         rate_fields(s, desc->board->clock);
@@ -125,17 +143,26 @@ bool vm_config_of(struct vm_config *config, const struct vm_rig *rig,
     struct crt_state s;
     *config = (struct vm_config){.tick = settings->tick};
     snprintf(config->program, sizeof config->program, "%s", input->name);
-    snprintf(config->tube, sizeof config->tube, "%s", settings->row.name);
-    snprintf(config->phosphor, sizeof config->phosphor, "%s", settings->phosphor.name);
+    snprintf(config->tube, sizeof config->tube, "%s", settings->monitor[VM_VECTOR].row.name);
+    snprintf(config->phosphor, sizeof config->phosphor, "%s",
+             settings->monitor[VM_VECTOR].phosphor.name);
+    snprintf(config->raster, sizeof config->raster, "%s", settings->monitor[VM_RASTER].row.name);
     crt_state_save(&s);
     program_fields(&s, input);
     if (!finish(&s, config->hash[VM_CONFIG_PROGRAM], err))
         return false;
-    tube_fields(&s, &settings->row);
+    tube_fields(&s, &settings->monitor[VM_VECTOR].row);
     if (!finish(&s, config->hash[VM_CONFIG_TUBE], err))
         return false;
-    phosphor_fields(&s, &settings->phosphor);
+    phosphor_fields(&s, &settings->monitor[VM_VECTOR].phosphor);
     if (!finish(&s, config->hash[VM_CONFIG_PHOSPHOR], err))
+        return false;
+    if (input->has_firmware) {
+        tube_fields(&s, &settings->monitor[VM_RASTER].row);
+        phosphor_fields(&s, &settings->monitor[VM_RASTER].phosphor);
+        timing_fields(&s, settings->timing);
+    }
+    if (!finish(&s, config->hash[VM_CONFIG_RASTER], err))
         return false;
     machine_fields(&s, &rig->machine->desc);
     return finish(&s, config->hash[VM_CONFIG_MACHINE], err);
@@ -173,6 +200,9 @@ bool vm_config_agree(const struct vm_config *theirs, const struct vm_config *our
     if (differs(theirs, ours, VM_CONFIG_PHOSPHOR))
         return refuse("phosphor", theirs->phosphor, ours->phosphor,
                       "give the same --phosphor and --tubes", err);
+    if (differs(theirs, ours, VM_CONFIG_RASTER))
+        return refuse("raster tube", theirs->raster, ours->raster,
+                      "give the same --tube, --phosphor, --mode and --set figures", err);
     if (theirs->tick.num != ours->tick.num || theirs->tick.den != ours->tick.den)
         return crt_fail(err,
                         "made with another sync tick (%g Hz, this run has %g Hz); give the same "
@@ -180,7 +210,7 @@ bool vm_config_agree(const struct vm_config *theirs, const struct vm_config *our
                         hertz(theirs->tick), hertz(ours->tick));
     if (differs(theirs, ours, VM_CONFIG_MACHINE))
         return crt_fail(err, "made with another machine; give the same --set memory, "
-                             "--set dpu.average and --on-stop");
+                             "--set dpu.average, --personality and --on-stop");
     return true;
 }
 
@@ -202,6 +232,7 @@ void vm_config_state(struct vm_config *config, struct crt_state *s)
     name_state(s, config->program, sizeof config->program);
     name_state(s, config->tube, sizeof config->tube);
     name_state(s, config->phosphor, sizeof config->phosphor);
+    name_state(s, config->raster, sizeof config->raster);
     crt_state_u64(s, &config->tick.num);
     crt_state_u64(s, &config->tick.den);
     for (int kind = 0; kind < VM_CONFIG_KINDS; kind++)

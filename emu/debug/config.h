@@ -21,6 +21,7 @@ enum vm_config_kind {
     VM_CONFIG_PROGRAM,
     VM_CONFIG_TUBE,
     VM_CONFIG_PHOSPHOR,
+    VM_CONFIG_RASTER, /* tube, phosphor and mode at power-on */
     VM_CONFIG_MACHINE,
     VM_CONFIG_KINDS
 };
@@ -28,7 +29,7 @@ enum vm_config_kind {
 #define VM_CONFIG_HASH 32 /* bytes of SHA-256 */
 
 struct vm_config {
-    char program[64], tube[24], phosphor[16];
+    char program[64], tube[24], phosphor[16], raster[24];
     struct crt_rate tick;
     uint8_t hash[VM_CONFIG_KINDS][VM_CONFIG_HASH];
 };

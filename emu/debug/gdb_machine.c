@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "crt/penetration.h"
 #include "display_file/df_regs.h"
 #include "emu/cpu/rv_disasm.h"
 #include "emu/memmap.h"
@@ -142,13 +143,15 @@ static const char *dpu_state(const struct df_dpu *dpu)
 static void tell_dpu(const struct vm_machine *m, char *text, size_t size)
 {
     const struct df_dpu *dpu = &m->dpu;
+    enum crt_level level = df_dpu_level(dpu);
     snprintf(text, size,
              "%s; octal: DPC %06o MPR %06o XPR %06o YPR %06o\n"
-             "x %d y %d, %llu words, %llu strokes, %llu stops\n",
+             "x %d y %d, %s%s%llu words, %llu strokes, %llu stops\n",
              dpu_state(dpu), (unsigned)df_dpu_read(dpu, DF_DPC), (unsigned)df_dpu_read(dpu, DF_MPR),
              (unsigned)df_dpu_read(dpu, DF_XPR), (unsigned)df_dpu_read(dpu, DF_YPR), (int)dpu->x,
-             (int)dpu->y, (unsigned long long)dpu->words, (unsigned long long)m->strokes,
-             (unsigned long long)m->stops);
+             (int)dpu->y, level == CRT_LEVEL_ONLY ? "" : crt_level_name(level),
+             level == CRT_LEVEL_ONLY ? "" : ", ", (unsigned long long)dpu->words,
+             (unsigned long long)m->strokes, (unsigned long long)m->stops);
 }
 
 static void tell_lines(const struct vm_machine *m, char *text, size_t size)

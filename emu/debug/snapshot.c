@@ -8,7 +8,7 @@
 #include "emu/out_file.h"
 
 #define MAGIC   "KNSCSTAT"
-#define VERSION 1
+#define VERSION 2
 #define LENGTH  12 /* where the length of all stands, after magic and version */
 #define HEADER  20 /* bytes up to the first part */
 
@@ -23,16 +23,26 @@ void vm_snapshot_sum(const uint8_t *bytes, size_t size, uint8_t sum[VM_SNAPSHOT_
     sha256_digest(&sha, VM_SNAPSHOT_SUM, sum);
 }
 
+static void tube_state(struct crt_tube *tube, const char *no_light, struct crt_state *s)
+{
+    bool light = tube != NULL;
+    crt_state_bool(s, &light);
+    if (s->loading && light && !tube)
+        crt_state_skip(s, "TUBE");
+    else if (light && tube)
+        crt_tube_state(tube, s);
+    else if (tube)
+        crt_state_fail(s, no_light);
+}
+
 void vm_rig_state(struct vm_rig *rig, struct crt_state *s)
 {
-    bool light = rig->tube != NULL;
-    crt_state_bool(s, &light);
-    if (s->loading && light && !rig->tube)
-        crt_state_skip(s, "TUBE");
-    else if (light && rig->tube)
-        crt_tube_state(rig->tube, s);
-    else if (rig->tube)
-        crt_state_fail(s, "it holds no light, as it was made by a run without a tube (headless)");
+    tube_state(
+        rig->tube[VM_VECTOR],
+        "it holds no light of the vector tube, as it was made headless or with --view raster", s);
+    tube_state(
+        rig->tube[VM_RASTER],
+        "it holds no light of the raster tube, as it was made headless or with --view vector", s);
     vm_machine_state(rig->machine, s);
 }
 

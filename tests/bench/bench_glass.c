@@ -69,12 +69,13 @@ struct bench {
 
 static struct clocks frame_cost(struct bench *b, const struct crt_glass_settings *s, bool upload)
 {
+    const struct crt_phosphor *phosphor = b->film.colours == 3 ? crt_phosphor_find("P22") : &green;
     struct clocks start = {0, 0}, end;
     for (int i = -2; i < FRAMES; i++) { /* two frames to warm up */
         if (i == 0)
             start = now();
         if (upload || i == -2)
-            crt_glass_film(b->glass, &b->film, &green);
+            crt_glass_film(b->glass, &b->film, phosphor);
         crt_glass_draw(b->glass, s, b->fbo, SIDE, SIDE);
         b->gl.Finish();
     }
@@ -89,8 +90,12 @@ static bool open_bench(struct bench *b, struct crt_gl_context *context, struct c
     b->glass = crt_glass_create(loader, err);
     b->film =
         (struct crt_film){.grid = {SIDE, SIDE, 0.27, -138, 138}, .colours = 1, .t1 = 16666666667};
-    b->film.light[0] = calloc(SIDE * SIDE, sizeof(float));
-    if (!b->glass || !b->film.light[0] || !crt_gl_load(&b->gl, loader, err))
+    bool room = true;
+    for (int c = 0; c < 3; c++) {
+        b->film.light[c] = calloc(SIDE * SIDE, sizeof(float));
+        room = room && b->film.light[c];
+    }
+    if (!b->glass || !room || !crt_gl_load(&b->gl, loader, err))
         return false;
     b->gl.GenTextures(1, &texture);
     b->gl.BindTexture(GL_TEXTURE_2D, texture);
@@ -125,6 +130,37 @@ static void run(struct bench *b, int lines)
     }
 }
 
+/* A colour monitor is lit all over: grey, one cell a pixel; the mask is that of a close look. */
+static void run_colours(struct bench *b)
+{
+    struct crt_glass_settings plain = {.gain = 0.01}, masked = plain, all = plain;
+    crt_mask_init(&masked.mask, crt_tube_row_find("COLOR17"));
+    b->film.colours = 3;
+    b->film.grid.cell_mm = 0.05;
+    for (int c = 0; c < 3; c++)
+        for (size_t i = 0; i < (size_t)SIDE * SIDE; i++)
+            b->film.light[c][i] = 0.3f;
+    all = masked;
+    all.room_cd_m2 = 2;
+    all.halation = 0.05;
+    all.face_radius_mm = 700;
+    const struct {
+        const char *name;
+        const struct crt_glass_settings *settings;
+        bool upload;
+    } passes[] = {{"copy", &plain, false},
+                  {"copy, new film", &plain, true},
+                  {"mask", &masked, false},
+                  {"all, new film", &all, true}};
+    double copy = 0;
+    for (size_t i = 0; i < sizeof passes / sizeof passes[0]; i++) {
+        struct clocks c = frame_cost(b, passes[i].settings, passes[i].upload);
+        copy = i == 0 ? c.cpu : copy;
+        printf("glass 3 colours, lit  %-20s %6.1f ms processor  %6.1f ms wall  %5.2f x copy\n",
+               passes[i].name, 1e3 * c.cpu, 1e3 * c.wall, c.cpu / copy);
+    }
+}
+
 int main(void)
 {
     struct crt_error err = {""};
@@ -139,10 +175,12 @@ int main(void)
         printf("glass %d x %d: %s\n", SIDE, SIDE, crt_glass_driver(b.glass));
         run(&b, 100);
         run(&b, 1000);
+        run_colours(&b);
     } else {
         fprintf(stderr, "glass: %s\n", err.text);
     }
-    free(b.film.light[0]);
+    for (int c = 0; c < 3; c++)
+        free(b.film.light[c]);
     crt_glass_destroy(b.glass);
     crt_gl_context_destroy(context);
     return good ? 0 : 1;

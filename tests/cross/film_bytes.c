@@ -70,6 +70,7 @@ int main(int argc, char **argv)
     vm_machine_init(machine,
                     &(struct vm_machine_desc){.row = row,
                                               .timing = df_timing_of_tube(row, DF_TIMING_VALUE),
+                                              .personality = row->penetration ? DF_VS60 : DF_VT11,
                                               .tick = tick,
                                               .memory_bytes = DF_ADDRESS_SPACE,
                                               .tube = tube});

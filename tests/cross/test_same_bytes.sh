@@ -45,6 +45,9 @@ rel | dbg) ;;
 esac
 
 "$KINESCOPE" asm $program -o "$out/program.oct" || exit 1
+# Another film, of light in two layers, for the compilers.
+"$KINESCOPE" asm roms/colours.df -o "$out/colours.oct" || exit 1
+coloured=$("$KINESCOPE" capture roms/colours.df --at 0.6s --film --depth 16 --hash -o "$out/film.png" | cut -d' ' -f1)
 firmware=roms/clock.elf refreshes=1000
 # What a film and a trace need, without libpng, GL, inih and nettle; the AVX2 kernels on x86-64 only.
 sources="$(ls crt/*.c display_file/*.c | grep -vE '_avx2|png|glass|gl_|ini|image_hash|catalogue|beam_read')
@@ -59,7 +62,11 @@ compile() { # COMPILER...: its objects, then both programs
     done
     # shellcheck disable=SC2086
     case $("$@" -dumpmachine) in
-    x86_64*) "$@" $flags -mavx2 -c -o "$out/objects/avx2.o" crt/footprint_avx2.c || return 1 ;;
+    x86_64*)
+        for kernels in footprint line; do
+            "$@" $flags -mavx2 -c -o "$out/objects/${kernels}_avx2.o" crt/${kernels}_avx2.c || return 1
+        done
+        ;;
     esac
     objects=$(find "$out/objects" -name '*.o' ! -path '*/cross/*' | sort)
     for main in film_bytes trace_bytes; do
@@ -73,6 +80,9 @@ cross() { # NAME RUNNER COMPILER...
     shift 2
     if compile "$@"; then
         check "$name: film" "$($runner "$out/film_bytes" "$out/program.oct" VR17 $at_ps 2 | sum)"
+        film=$want want=$coloured
+        check "$name: film in colours" "$($runner "$out/film_bytes" "$out/colours.oct" PENET17 600000000000 2 | sum)"
+        want=$film
         trace=$($runner "$out/trace_bytes" $firmware $refreshes | sum)
         if [ -n "$first" ]; then
             film=$want want=$first

@@ -148,6 +148,7 @@ static void a_recording_survives_a_round_trip(void **state)
             *p[k] = ((float)rand() / (float)RAND_MAX - 0.5f) * 300.0f;
         s->drive = (float)rand() / (float)RAND_MAX;
         s->source = (uint32_t)rand() & 0x3fffe;
+        s->level = (uint32_t)i % (CRT_LEVEL_GREEN + 1);
     }
     struct crt_beam_header header = {"VR17", "P39", {60000, 1001}, 0}, got;
     FILE *file = tmpfile();
@@ -272,7 +273,11 @@ static void bad_strokes_are_refused(void **state)
     } cases[] = {
         {"s", "a stroke is `s T0"},
         {"s 0 1 0 0 0 0", "a stroke is"},
-        {"s 0 1 0 0 0 0 1 0 0", "too many fields"},
+        {"s 0 1 0 0 0 0 1 0 0", "`0` is not a level"},
+        {"s 0 1 0 0 0 0 1 0 blue", "`blue` is not a level"},
+        {"s 0 1 0 0 0 0 1 0 only", "`only` is not a level"},
+        {"s 0 1 0 0 0 0 1 red", "octal"},
+        {"s 0 1 0 0 0 0 1 0 red 0", "too many fields"},
         {"s 0 1 0 0 0 0 1 0 0 0 0", "too many fields"},
         {"s -1 1 0 0 0 0 1", "whole picoseconds"},
         {"s 0 1.5 0 0 0 0 1", "whole picoseconds"},

@@ -81,6 +81,11 @@ static void tubes_briefly(void **state)
         must_say(c.tubes[i].description);
     }
     must_say("VR17 P39 234.9 x 234.9 1024 x 1024 0.508 100 DEC VR17");
+    must_say("COLOR17 P22 320 x 240 delta 0.28 1024x768@60 30-70 0.445 100 17 inch colour");
+    must_say("TV12M P4 244 x 183 none 525/60i 15-17 0.7 120 12 inch monochrome");
+    /* Each kind in its own table. */
+    const char *raster = strstr(text, "Raster tubes");
+    assert_true(strstr(text, "\nTYPE30 ") < raster && strstr(text, "\nCOLOR17 ") > raster);
 }
 
 static void tubes_with_reasons(void **state)
@@ -95,6 +100,10 @@ static void tubes_with_reasons(void **state)
     CRT_TUBE_FIGURES(X)
 #undef X
     must_say("spot 0.508 mm 0.4318..0.5588 DEC EK-VT11-TM-001");
+    must_say("COLOR17 17 inch colour monitor with 16 inch to see, delta triads "
+             "raster tube, three guns, delta mask, used in 1024x768@60 phosphor P22; film of");
+    must_say("three guns, grille, used in 1280x1024@60");
+    must_say("raster tube, one gun, used in 525/60i");
     must_say("vector_unit 0.1 us 0.05..0.2 estimate: no primary source at hand");
 }
 

@@ -319,6 +319,46 @@ static void two_colours_add_as_light(void **state)
     crt_image_free(&image);
 }
 
+static void three_colours_add_as_light(void **state)
+{
+    (void)state;
+    static float light[3][W * H];
+    srand(4);
+    for (int c = 0; c < 3; c++)
+        for (int i = 0; i < W * H; i++)
+            light[c][i] = (i + c) % 5 == 0 ? 0.0f : (float)(pow(rand() / (double)RAND_MAX, 3) * 2);
+    light[2][7] = -1.0f; /* counts as 0 */
+    light[0][8] = NAN;
+    for (int c = 0; c < 3; c++)
+        light[c][9] = 0;
+    struct crt_film film;
+    struct crt_image image;
+    struct crt_error err;
+    film_of(&film, light[0], light[1]);
+    film.colours = 3;
+    film.light[2] = light[2];
+    const double seconds = (double)(film.t1 - film.t0) * 1e-12;
+    const struct crt_phosphor *p22 = crt_phosphor_find("P22");
+    assert_true(crt_develop(&film, p22, 0.008, 16, 2, &image, &err));
+    for (int i = 0; i < W * H; i++) {
+        double X = 0, Y = 0, Z = 0;
+        for (int c = 0; c < 3; c++) {
+            double l = light[c][i] > 0 ? (double)light[c][i] : 0.0;
+            const struct crt_chromaticity *p = &p22->colour[c];
+            X += l * p->x / p->y;
+            Y += l;
+            Z += l * (1 - p->x - p->y) / p->y;
+        }
+        const uint16_t *s = image.samples + 3 * i;
+        if (Y == 0)
+            assert_int_equal(s[0] | s[1] | s[2], 0);
+        else
+            expect_pixel(s, Y / seconds * 0.008,
+                         (struct crt_chromaticity){X / (X + Y + Z), Y / (X + Y + Z)});
+    }
+    crt_image_free(&image);
+}
+
 static void threads_and_exposure_do_not_change_the_picture(void **state)
 {
     (void)state;
@@ -355,9 +395,9 @@ static void threads_and_exposure_do_not_change_the_picture(void **state)
 static void the_samples_are_these(void **state)
 {
     (void)state;
-    static float light[2][W * H];
+    static float light[3][W * H];
     uint32_t seed = 12345;
-    for (int c = 0; c < 2; c++)
+    for (int c = 0; c < 3; c++)
         for (int i = 0; i < W * H; i++) {
             seed = seed * 1664525u + 1013904223u;
             float f = (float)(seed >> 8) / 16777216.0f;
@@ -377,6 +417,12 @@ static void the_samples_are_these(void **state)
     crt_image_hash(&image, hex);
     crt_image_free(&image);
     assert_string_equal(hex, "c077633c08bfde57c9e917ee3ef92ae104e0bb540ee0da11cf047e13eeafcdce");
+    film.colours = 3;
+    film.light[2] = light[2];
+    assert_true(crt_develop(&film, crt_phosphor_find("P22"), 0.01, 16, 1, &image, &err));
+    crt_image_hash(&image, hex);
+    crt_image_free(&image);
+    assert_string_equal(hex, "fd3005dcce2d59f74d820bf9dbd2d34d141f2ffc6d0d4e97274d14ed0bdee44c");
 }
 
 static void an_impossible_film_is_refused(void **state)
@@ -405,6 +451,7 @@ int main(void)
         cmocka_unit_test(auto_gain_puts_a_line_at_eight_tenths),
         cmocka_unit_test(a_grey_ramp_is_grey_monotone_and_right),
         cmocka_unit_test(two_colours_add_as_light),
+        cmocka_unit_test(three_colours_add_as_light),
         cmocka_unit_test(threads_and_exposure_do_not_change_the_picture),
         cmocka_unit_test(the_samples_are_these),
         cmocka_unit_test(an_impossible_film_is_refused),

@@ -63,6 +63,8 @@ static void line_luminance_and_auto_gain(void **state)
     size_t count;
     const struct crt_tube_row *row = crt_tube_rows(&count);
     for (size_t i = 0; i < count; i++, row++) {
+        if (row->kind != CRT_VECTOR_TUBE)
+            continue;
         struct crt_tube_desc desc = {
             .row = row,
             .phosphor = crt_phosphor_find(row->phosphor),

@@ -183,6 +183,47 @@ static void a_phosphor_by_shares_and_colours(void **state)
     assert_string_equal(crt_catalogue_tube(&c, "ROUND")->phosphor, "TWO");
 }
 
+static void a_phosphor_of_three_colours(void **state)
+{
+    (void)state;
+    must_load("[phosphor RGB]\ncolour1 = 0.64 0.33\ncolour2 = 0.30 0.60\ncolour3 = 0.15 0.06\n"
+              "rate = 7 1ms colour 1\nrate = 9 60us colour 2\nrate = 1 20us colour 3\n"
+              "rate = 1 2ms colour 3\n");
+    const struct crt_phosphor *p = crt_catalogue_phosphor(&c, "RGB");
+    assert_int_equal(p->colours, 3);
+    /* The luminance of the sRGB primaries. */
+    assert_true(fabs(p->term[0].w - 0.2126390) < 1e-6);
+    assert_true(fabs(p->term[1].w - 0.7151687) < 1e-6);
+    assert_true(fabs(p->term[2].w / 0.0721923 - 20. / 2020) < 1e-6);
+    assert_true(fabs(p->term[3].w / 0.0721923 - 2000. / 2020) < 1e-6);
+    /* Fewer colours than `like` when no term has them. */
+    must_load("[phosphor RED]\nlike = P22\nt10 = 1ms\n[tube RT]\nlike = MONO12\nphosphor = RED\n");
+    assert_int_equal(crt_catalogue_phosphor(&c, "RED")->colours, 1);
+}
+
+static void tubes_of_other_kinds(void **state)
+{
+    (void)state;
+    must_load("[tube MYMONITOR]\nlike = COLOR17\nmask = grille\nmode = 800x600@75\n"
+              "mask_pitch = 0.26\n"
+              "[tube PLAIN]\nlike = COLOR17\nmask = none\nphosphor = P31\nspot = 0.4\n"
+              "[tube STRANGE]\nlike = PLAIN\nkind = vector\nphosphor = P31\nunits_x = 1024\n"
+              "units_y = 768\ndrive_low = 0.4\nline_luminance = 100\nline_speed = 3\n"
+              "line_refresh = 60\nsync = 60\nfetch = 1\nvector_setup = 1\nvector_unit = 0.1\n"
+              "vector_rest = 0\nsettle = 1\nsettle_unit = 0\nsettle_max = 9\npoint = 1\n"
+              "character = 9\ndot = .1\nintensify = 20\n");
+    const struct crt_tube_row *t = crt_catalogue_tube(&c, "MYMONITOR");
+    assert_true(t->kind == CRT_RASTER_TUBE && t->mask == CRT_MASK_GRILLE);
+    assert_true(t->mask_pitch.value == 0.26 && t->mask_transmission.value == 0.2);
+    assert_string_equal(t->mode, "800x600@75");
+    t = crt_catalogue_tube(&c, "PLAIN");
+    assert_true(t->mask == CRT_MASK_NONE && !t->mask_pitch.source && t->mask_pitch.value == 0);
+    assert_true(t->spot_edge.value == 1.25 && t->spot_edge.source);
+    t = crt_catalogue_tube(&c, "STRANGE");
+    assert_true(t->kind == CRT_VECTOR_TUBE && !t->mode[0] && !t->bandwidth.source);
+    assert_true(t->units_x.value == 1024 && t->spot.value == 0.4);
+}
+
 /* The example of crt/tube_ini.h, literally. */
 static void the_example_of_the_header(void **state)
 {
@@ -195,7 +236,7 @@ static void the_example_of_the_header(void **state)
         "letters = GH                      ; world-wide designation\n"
         "peak = 525                        ; nm\n"
         "luminance = 90                    ; relative, P31 = 100\n"
-        "colour1 = 0.226 0.528             ; CIE 1931 x y; colour2 for a second one\n"
+        "colour1 = 0.226 0.528             ; CIE 1931 x y; colour2, colour3 for more\n"
         "rate = 0.949 0.1ms                ; amplitude of the light, time constant: a line a term\n"
         "rate = 0.051 2ms\n"
         "tektronix = 0.3ms 4ms 28ms my bench, 2024     ; published times to 10, 1, 0.1 %, source\n"
@@ -209,7 +250,15 @@ static void the_example_of_the_header(void **state)
         "description = a sharper VR17 with my phosphor\n"
         "phosphor = MYGREEN\n"
         "spot = 0.4 (0.3..0.5) measured with a microscope\n"
-        "settle = 0.5\n");
+        "settle = 0.5\n"
+        "\n"
+        "[tube MYMONITOR]\n"
+        "like = COLOR17\n"
+        "mask = grille                     ; before any figure, as it says which figures there "
+        "are\n"
+        "mode = 800x600@75\n"
+        "mask_pitch = 0.26\n");
+    assert_true(crt_catalogue_tube(&c, "MYMONITOR")->mask == CRT_MASK_GRILLE);
     const struct crt_tube_row *t = crt_catalogue_tube(&c, "MYTUBE");
     const struct crt_phosphor *p = crt_catalogue_phosphor(&c, t->phosphor);
     assert_true(t->spot.value == 0.4 && t->settle.value == 0.5);
@@ -260,6 +309,23 @@ static void wrong_tubes(void **state)
     must_refuse(T "fetch = 0\n", 3, "between");
     must_refuse(T "phosphor = P99\n", 3, "P99");
     must_refuse(T "phosphor = P999999999999999\n", 3, "at most 15");
+    must_refuse(T "field_luminance = 100\n", 3, "another kind of tube");
+    must_refuse(T "mask = delta\n", 3, "no mask");
+    must_refuse(T "mode = 640x480@60\n", 3, "no mode");
+    must_refuse(T "kind = rastr\n", 3, "vector or raster");
+    must_refuse(T "penetration = maybe\n", 3, "yes or no");
+    must_refuse(T "spot = 0.4\nkind = raster\n", 4, "before any figure");
+    must_refuse(T "kind = raster\n", 1, "lacks field_luminance");
+    must_refuse(T "penetration = yes\n", 1, "lacks kv_red");
+    must_refuse("[tube A]\nlike = MONO12\nline_luminance = 100\n", 3, "another kind of tube");
+    must_refuse("[tube A]\nlike = MONO12\nmask_pitch = 0.3\n", 3, "another kind of tube");
+    must_refuse("[tube A]\nlike = MONO12\nmask = dots\n", 3, "delta, slot or grille");
+    must_refuse("[tube A]\nlike = MONO12\npenetration = yes\n", 3, "kind = vector");
+    must_refuse("[tube A]\nlike = MONO12\nmask = slot\n", 1, "lacks mask_pitch");
+    must_refuse("[tube A]\nlike = COLOR17\nh_max = 20\n", 1, "h_max must be the higher");
+    must_refuse("[tube A]\nlike = COLOR17\nmask_pitch = 2\n", 1, "half as wide");
+    must_refuse("[tube A]\nlike = COLOR17\nphosphor = P4\n", 3, "three colours");
+    must_refuse("[tube A]\nlike = COLOR17\nmode = 1234567890123456789012345\n", 3, "at most 23");
     must_refuse(T "  spot = 0.4\n", 3, "first column");
     must_refuse(T "spot = 0.4 text\n  halation = 0.1\n", 4, "first column");
     must_refuse(T " [tube B]\nlike = VR17\n", 3, "first column");
@@ -280,7 +346,11 @@ static void wrong_phosphors(void **state)
     must_refuse(P "colour1 = 0.3 0.3 0.4\n", 3, "CIE");
     must_refuse(P "colour1 = 0.8 0.3\n", 3, "x + y");
     must_refuse(P "colour1 = 0.3 0\n", 3, "x + y");
-    must_refuse(P "colour3 = 0.3 0.3\n", 3, "colour3");
+    must_refuse(P "colour4 = 0.3 0.3\n", 3, "colour4");
+    must_refuse(P "colour3 = 0.3 0.3\n", 1, "no term has colour 2");
+    must_refuse("[phosphor A]\ncolour1 = .6 .3\ncolour2 = .5 .4\ncolour3 = .4 .5\nrate = 1 1ms\n"
+                "rate = 1 1ms colour 2\nrate = 1 1ms colour 3\n",
+                1, "do not mix to white");
     must_refuse(P "colour2 = 0.3 0.3\n", 1, "no term has colour 2");
     must_refuse(P "rate = 1\n", 3, "unit");
     must_refuse(P "rate = 1 2\n", 3, "unit");
@@ -289,7 +359,9 @@ static void wrong_phosphors(void **state)
     must_refuse(P "rate = -1 2ms\n", 3, "positive");
     must_refuse(P "rate = 1 0ms\n", 3, "positive");
     must_refuse(P "rate = 1 1e9s\n", 3, "10000 s");
-    must_refuse(P "rate = 1 2ms colour 3\n", 3, "1 or 2");
+    must_refuse(P "rate = 1 2ms colour 4\n", 3, "1, 2 or 3");
+    must_refuse(P "rate = 1 2ms colour 1.5\n", 3, "1, 2 or 3");
+    must_refuse(P "rate = 1 2ms\nrate = 1 2ms colour 3\n", 1, "colour3 = x y");
     must_refuse(P "rate = 1 2ms colour 2\n", 1, "no term has colour 1");
     must_refuse(P "rate = 1 2ms\nterm = 1 2ms\n", 4, "two ways");
     must_refuse(P "rate = 1 2ms\nt10 = 2ms\n", 4, "beside");
@@ -340,9 +412,11 @@ static void hostile_files(void **state)
 static void damaged_files(void **state)
 {
     (void)state;
-    static const char good[] = "[phosphor Q]\nlike = P4\nrate = 0.9 100us colour 1\nrate = 0.1 2ms "
-                               "colour 2\njedec = 35us..100us x\nnote = a\n b\n[tube Z]\nlike = "
-                               "VR17\nphosphor = Q\nspot = 0.4 (0.3..0.5) m\n n\nfetch = 1\n";
+    static const char good[] =
+        "[phosphor Q]\nlike = P4\nrate = 0.9 100us colour 1\nrate = 0.1 2ms "
+        "colour 2\njedec = 35us..100us x\nnote = a\n b\n[tube Z]\nlike = "
+        "VR17\nphosphor = Q\nspot = 0.4 (0.3..0.5) m\n n\nfetch = 1\n[tube M]\n"
+        "like = COLOR17\nmask = slot\nmode = 525/60i\nspot_edge = 1.2\n";
     uint64_t s = 9;
     int loaded = 0, refused = 0;
     for (int i = 0; i < 1000; i++) {
@@ -379,6 +453,8 @@ int main(void)
         EACH(a_tube_of_its_own_needs_every_figure),
         EACH(a_phosphor_by_rates),
         EACH(a_phosphor_by_shares_and_colours),
+        EACH(a_phosphor_of_three_colours),
+        EACH(tubes_of_other_kinds),
         EACH(the_example_of_the_header),
         EACH(wrong_tubes),
         EACH(wrong_phosphors),

@@ -36,9 +36,9 @@ static struct client *connect_to(const char *path)
     if (!vm_input_load(&c->input, path, &input, &err, NULL) ||
         vm_settings_resolve(&options, NULL, vm_input_tube(&c->input), &c->settings, &err))
         fail_msg("%s", err.text);
-    c->settings.row.spot.value = c->settings.row.width.value / 48;
-    struct crt_tube_desc tube = vm_settings_tube(&c->settings);
-    if (!vm_rig_open(&c->rig, &c->settings, &c->input, DF_TIMING_VALUE, &tube, &err))
+    c->settings.monitor[VM_VECTOR].row.spot.value = c->settings.monitor[VM_VECTOR].row.width.value / 48;
+    struct vm_tubes tubes = vm_settings_tubes(&c->settings, VM_VIEW_VECTOR);
+    if (!vm_rig_open(&c->rig, &c->settings, &c->input, DF_TIMING_VALUE, &tubes, &err))
         fail_msg("%s", err.text);
     c->history = vm_history_create(&(struct vm_history_desc){&c->rig, 5 * MS, 0}, &err);
     assert_non_null(c->history);

@@ -59,6 +59,18 @@ static void graphplot_data(void **state)
                  0124000, 5, 0174100, 0174177);
 }
 
+static void colours(void **state)
+{
+    (void)state;
+    assert_words("colour green\ncolour yellow\ncolour orange\ncolour red", 0175000, 0175200,
+                 0175400, 0175600);
+    assert_words("colour red step=63\ncolour green, step=0\nCOLOUR 1 + 1", 0175777, 0175100,
+                 0175400);
+    assert_words(".macro paint c\ncolour c\n.endm\npaint orange\npaint red", 0175400, 0175600);
+    assert_words(".dialect dec\nSTATSB!GREEN\nSTATSB!YELLOW\nSTATSB!ORANGE!INCR!5\nSTATSB!RED",
+                 0175000, 0175200, 0175505, 0175600);
+}
+
 static void text_data(void **state)
 {
     (void)state;
@@ -236,6 +248,7 @@ int main(void)
         cmocka_unit_test(long_data),
         cmocka_unit_test(short_data),
         cmocka_unit_test(graphplot_data),
+        cmocka_unit_test(colours),
         cmocka_unit_test(text_data),
         cmocka_unit_test(status),
         cmocka_unit_test(jumps),

@@ -71,6 +71,11 @@ static void status_words(void **state)
                        "italics=off\nstep 63\nnop\n",
                        0170000, 0172000, 0170004, 0172004, 0173400, 0171260, 0170340, 0174177,
                        0164000);
+    assert_disassembly("L000000: colour green\ncolour yellow\ncolour orange step=8\ncolour red\n"
+                       "colour red step=0\n.word 0o175001\n.word 0o174200\n.word 0o174300\n"
+                       ".word 0o177000\n",
+                       0175000, 0175200, 0175510, 0175600, 0175700, 0175001, 0174200, 0174300,
+                       0177000);
 }
 
 static void data_words(void **state)

@@ -88,6 +88,16 @@ static void random_words_in_average_mode(void **state)
     run(desc, UINT64_C(43), 200000);
 }
 
+static void random_words_in_colour(void **state)
+{
+    (void)state;
+    struct df_dpu_desc desc = description();
+    desc.personality = DF_VS60;
+    run(desc, UINT64_C(46), 300000);
+    desc.timing.average_ps = 33330000;
+    run(desc, UINT64_C(47), 100000);
+}
+
 static void random_words_on_a_low_screen_in_little_memory(void **state)
 {
     (void)state;
@@ -114,6 +124,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_million_random_words),
         cmocka_unit_test(random_words_in_average_mode),
+        cmocka_unit_test(random_words_in_colour),
         cmocka_unit_test(random_words_on_a_low_screen_in_little_memory),
         cmocka_unit_test(runs_repeat),
     };

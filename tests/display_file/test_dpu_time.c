@@ -250,9 +250,9 @@ static void absurd_times_are_limited(void **state)
     dpu_rig_restart(r);
     RUN(r, 0114000, DF_BEAM_ON | 5, 5, 0110000, DF_BEAM_ON | 9, 9, 0100000, 'A' | 'B' << 8);
     assert_int_equal(r->dpu.t, 9 + 1 + 9); /* a ps a word, a point, a unit */
-    r->desc.timing =
-        (struct df_timing){UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX,
-                           UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX};
+    r->desc.timing = (struct df_timing){UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX,
+                                        UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX, UINT64_MAX,
+                                        UINT64_MAX, UINT64_MAX, UINT64_MAX};
     dpu_rig_restart(r);
     RUN(r, 0114000, DF_BEAM_ON | 5, 5, 0110000, DF_BEAM_ON | 9, 9, 0100000, 'A' | 'B' << 8);
     assert_int_equal(r->dpu.t, 7 * 1000000 * US); /* instructions of a second */

@@ -57,9 +57,11 @@ static void times_of_a_tube_row(void **state)
     row.character = (struct crt_figure){15, 12, 20, "estimate"};
     row.dot = (struct crt_figure){0.25, 0.2, 0.3, "estimate"};
     row.intensify = (struct crt_figure){20, 20, 20, "estimate"};
+    row.colour_switch = (struct crt_figure){100, 50, 200, "estimate"};
     struct df_timing value = df_timing_of_tube(&row, DF_TIMING_VALUE);
-    const struct df_timing expected = {1500000,  2000000, 100000,   200000, 1000000,  17600,
-                                       18000000, 1000000, 15000000, 250000, 20000000, 0};
+    const struct df_timing expected = {1500000,  2000000,   100000,  200000,   1000000,
+                                       17600,    18000000,  1000000, 15000000, 250000,
+                                       20000000, 100000000, 0};
     assert_memory_equal(&value, &expected, sizeof value);
     struct df_timing low = df_timing_of_tube(&row, DF_TIMING_LOW);
     assert_int_equal(low.fetch_ps, 1200000);
@@ -67,6 +69,7 @@ static void times_of_a_tube_row(void **state)
     struct df_timing high = df_timing_of_tube(&row, DF_TIMING_HIGH);
     assert_int_equal(high.fetch_ps, 1800000);
     assert_int_equal(high.vector_unit_ps, 200000);
+    assert_int_equal(high.colour_switch_ps, 200000000);
     assert_int_equal(high.average_ps, 0);
 }
 

@@ -35,9 +35,10 @@ static struct bench *set_up(const char *path, uint64_t period, size_t budget)
     if (!vm_input_load(&b->input, path, &input, &err, NULL) ||
         vm_settings_resolve(&options, NULL, vm_input_tube(&b->input), &b->settings, &err))
         fail_msg("%s", err.text);
-    b->settings.row.spot.value = b->settings.row.width.value / 48;
-    struct crt_tube_desc tube = vm_settings_tube(&b->settings);
-    if (!vm_rig_open(&b->rig, &b->settings, &b->input, DF_TIMING_VALUE, &tube, &err))
+    b->settings.monitor[VM_VECTOR].row.spot.value =
+        b->settings.monitor[VM_VECTOR].row.width.value / 48;
+    struct vm_tubes tubes = vm_settings_tubes(&b->settings, VM_VIEW_VECTOR);
+    if (!vm_rig_open(&b->rig, &b->settings, &b->input, DF_TIMING_VALUE, &tubes, &err))
         fail_msg("%s", err.text);
     const struct vm_history_desc desc = {&b->rig, period, budget};
     assert_non_null(b->history = vm_history_create(&desc, &err));
@@ -200,8 +201,8 @@ static void light_is_seen_again(void **state)
     assert_true(vm_machine_run_refresh(m, UINT64_MAX / 4));
     uint64_t t = m->now;
     for (int i = 0; i < 2; i++) {
-        assert_true(crt_film_init(&film[i], b->rig.tube, &err));
-        crt_film_open(b->rig.tube, &film[i], t + MS, t + 3 * TICK);
+        assert_true(crt_film_init(&film[i], b->rig.tube[VM_VECTOR], &err));
+        crt_film_open(b->rig.tube[VM_VECTOR], &film[i], t + MS, t + 3 * TICK);
         run_to(b, t + 3 * TICK);
         assert_true(film[i].complete);
         while (m->now > t)
@@ -347,7 +348,7 @@ static void what_came_from_outside_stays(void **state)
     struct digest was[6];
     for (int i = 0; i < 6; i++) {
         run_to(b, (uint64_t)(i + 1) * 97 * MS);
-        crt_tube_set_knobs(b->rig.tube, (struct crt_knobs){0.1 * i, 1, 0});
+        crt_tube_set_knobs(b->rig.tube[VM_VECTOR], (struct crt_knobs){0.1 * i, 1, 0});
         m->memory[0100] = (uint16_t)i;
         vm_history_mark(b->history);
         assert_true(vm_machine_run_refresh(m, UINT64_MAX / 4));
@@ -362,7 +363,7 @@ static void what_came_from_outside_stays(void **state)
             back(b, VM_UNIT_REFRESH, 1);
         }
         assert_int_equal(m->memory[0100], i);
-        assert_true(crt_tube_knobs(b->rig.tube).brightness == 0.1 * i);
+        assert_true(crt_tube_knobs(b->rig.tube[VM_VECTOR]).brightness == 0.1 * i);
     }
     tear_down(b);
 }

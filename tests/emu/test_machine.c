@@ -333,9 +333,9 @@ static void recordings_are_played_in_time(void **state)
 {
     (void)state;
     static const struct crt_stroke strokes[] = {
-        {MS, 2 * MS, 0, 0, 1, 1, 1, 0},
-        {20 * MS, 21 * MS, 1, 1, 2, 2, 1, 0},
-        {40 * MS, 41 * MS, 2, 2, 3, 3, 1, 0},
+        {MS, 2 * MS, 0, 0, 1, 1, 1, 0, 0},
+        {20 * MS, 21 * MS, 1, 1, 2, 2, 1, 0, 0},
+        {40 * MS, 41 * MS, 2, 2, 3, 3, 1, 0, 0},
     };
     struct vm_machine *m = calloc(1, sizeof *m);
     const struct crt_tube_row *row = crt_tube_row_find("VR17");

@@ -34,28 +34,36 @@ static void refused(struct snap_run *r, const struct crt_state *s, const char *s
 static void another_configuration_is_refused(void **state)
 {
     (void)state;
-    struct vm_settings_options options[8] = {
-        {.tube = "VR14"},      {.phosphor = "P31"},   {.refresh = {50, 1}},  {.on_stop = "halt"},
-        {.set = {.count = 1}}, {.set = {.count = 1}}, {.set = {.count = 1}}, {.set = {.count = 1}}};
-    static const char *const sentences[8] = {
+    struct vm_settings_options options[9] = {{.tube = {.item = {"VR14"}, .count = 1}},
+                                             {.phosphor = "P31"},
+                                             {.refresh = {50, 1}},
+                                             {.on_stop = "halt"},
+                                             {.set = {.count = 1}},
+                                             {.set = {.count = 1}},
+                                             {.set = {.count = 1}},
+                                             {.personality = "vs60"},
+                                             {.set = {.count = 1}}};
+    static const char *const sentences[9] = {
         "FILE was made with another tube (VR17, this run has VR14); give the same --tube, --tubes "
         "and --set figures",
         "FILE was made with another phosphor (P39, this run has P31); give the same --phosphor and "
         "--tubes",
         "FILE was made with another sync tick (60 Hz, this run has 50 Hz); give the same --refresh",
-        "FILE was made with another machine; give the same --set memory, --set dpu.average and "
-        "--on-stop",
-        "FILE was made with another machine; give the same --set memory, --set dpu.average and "
-        "--on-stop",
+        "FILE was made with another machine; give the same --set memory, --set dpu.average, "
+        "--personality and --on-stop",
+        "FILE was made with another machine; give the same --set memory, --set dpu.average, "
+        "--personality and --on-stop",
         "FILE was made with another version of the tube VR17; give the same --tube, --tubes and "
         "--set figures",
-        "FILE was made with another machine; give the same --set memory, --set dpu.average and "
-        "--on-stop",
+        "FILE was made with another machine; give the same --set memory, --set dpu.average, "
+        "--personality and --on-stop",
+        "FILE was made with another machine; give the same --set memory, --set dpu.average, "
+        "--personality and --on-stop",
         NULL};
     options[4].set.item[0] = "memory=32K";
     options[5].set.item[0] = "spot=0.5";
     options[6].set.item[0] = "dpu.average=20us";
-    options[7].set.item[0] = "brightness=0.2"; /* knobs are state */
+    options[8].set.item[0] = "brightness=0.2"; /* knobs are state */
     struct snap_run *a = snap_open("roms/lander.df", true, &snap_plain);
     vm_machine_run(a->rig.machine, 3 * TICK + MS);
     struct crt_state s = snap_save(a);
@@ -68,7 +76,8 @@ static void another_configuration_is_refused(void **state)
         snap_close(b);
     }
     struct snap_run *b =
-        snap_open("roms/radar.df", true, &(struct vm_settings_options){.tube = "VR17/P39"});
+        snap_open("roms/radar.df", true,
+                  &(struct vm_settings_options){.tube = {.item = {"VR17/P39"}, .count = 1}});
     refused(b, &s,
             "FILE was made with another program (lander.df, this run has radar.df); run that "
             "program");
@@ -89,8 +98,8 @@ static void light_is_needed_where_somebody_looks(void **state)
     vm_machine_run(dark->rig.machine, 3 * TICK + MS);
     struct crt_state s = snap_save(dark);
     refused(light, &s,
-            "FILE cannot be loaded: it holds no light, as it was made by a run without a tube "
-            "(headless); make it again");
+            "FILE cannot be loaded: it holds no light of the vector tube, as it was made headless or "
+            "with --view raster; make it again");
     crt_state_free(&s);
     vm_machine_run(light->rig.machine, 4 * TICK + MS);
     s = snap_save(light);
@@ -112,10 +121,10 @@ static void another_close_up_is_refused(void **state)
     struct snap_run *a = snap_open("random4", true, &snap_plain);
     struct crt_error err;
     struct crt_state s = snap_save(a);
-    struct crt_tube_desc tube = vm_settings_tube(&a->settings);
-    tube.grid = crt_grid_closeup(0, 0, 20, 64, 64);
+    struct vm_tubes tubes = vm_settings_tubes(&a->settings, VM_VIEW_VECTOR);
+    tubes.desc[VM_VECTOR].grid = crt_grid_closeup(0, 0, 20, 64, 64);
     vm_rig_close(&a->rig);
-    assert_true(vm_rig_open(&a->rig, &a->settings, &a->input, DF_TIMING_VALUE, &tube, &err));
+    assert_true(vm_rig_open(&a->rig, &a->settings, &a->input, DF_TIMING_VALUE, &tubes, &err));
     refused(a, &s,
             "FILE cannot be loaded: the snapshot's light lies on other film cells than this "
             "tube's: one of the two is a close-up, or another one; make it again");
@@ -130,10 +139,10 @@ static void other_files_are_refused(void **state)
     struct crt_state s = snap_save(a), cut = s;
     refused(a, &(struct crt_state){.out = (uint8_t *)"P6 3 3 255 ............", .size = 20},
             "FILE is no snapshot of kinescope's; make one with --save-state");
-    s.out[8] = 2;
+    s.out[8] = 3;
     refused(a, &s,
-            "FILE is a snapshot of version 2, and this kinescope reads version 1; make it again");
-    s.out[8] = 1;
+            "FILE is a snapshot of version 3, and this kinescope reads version 2; make it again");
+    s.out[8] = 2;
     cut.size = 999;
     char sentence[128];
     snprintf(sentence, sizeof sentence,

@@ -1,6 +1,6 @@
 /* fuzz_dpu.c — feeds the display processor a memory image, register writes and a pen.
  *
- * Input:      byte 0   settings: 1 pen, 2 average mode, 4 low screen, 8 little memory
+ * Input:      byte 0   settings: 1 pen, 2 average mode, 4 low screen, 8 little memory, 16 colours
  *             byte 1   how many register writes follow, 0–31
  *             3 bytes each: where in the run (in 16 words) and what, value low byte, value high
  * byte the rest: little-endian display words from address 0 Checks: tests/support/dpu_invariants.h.
@@ -16,7 +16,7 @@
 #define MEMORY    32768u            /* words */
 #define MAX_STEPS 4096u
 
-enum { PEN = 1, AVERAGE = 2, LOW_SCREEN = 4, LITTLE_MEMORY = 8 };
+enum { PEN = 1, AVERAGE = 2, LOW_SCREEN = 4, LITTLE_MEMORY = 8, COLOURS = 16 };
 
 struct poke {
     unsigned at;
@@ -96,6 +96,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 
     watch.pen = settings & PEN ? 0x9e3779b97f4a7c15u : 0;
     struct df_dpu_desc desc = {
+        .personality = settings & COLOURS ? DF_VS60 : DF_VT11,
         .memory = memory,
         .memory_bytes = settings & LITTLE_MEMORY ? 4096 : sizeof memory,
         .screen = {235, 235, 1024, 1024},

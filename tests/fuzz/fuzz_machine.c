@@ -1,7 +1,8 @@
 /* fuzz_machine.c — a machine with any display memory and any pokes, and what its tube shows.
  *
  * Input:      byte 0    tube row          byte 1  phosphor
- *             byte 2    flags, see enum   byte 3  knobs: 2 bits each of brightness, contrast, focus
+ *             byte 2    flags, see enum   byte 3  knobs: 2 bits each of brightness, contrast, focus;
+ *                       64: the VS60's colours
  *             byte 4    sync tick (2 bits), begin of the exposure (3), its length (3), in eighths
  *                       of 2 ms
  *             byte 5    how many pokes follow, 0–31
@@ -18,6 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "crt/penetration.h"
 #include "crt/spot.h"
 #include "display_file/df_regs.h"
 #include "emu/machine.h"
@@ -49,6 +51,7 @@ struct plan {
     struct crt_tube_row row;
     const struct crt_phosphor *phosphor;
     struct crt_knobs knobs;
+    enum df_personality personality;
     struct crt_rate tick;
     struct crt_grid grid;
     uint64_t begin, t0, t1; /* of the run and of the exposure, its end too */
@@ -67,6 +70,7 @@ struct outcome {
 /* Stands between generator and machine: adds up the light that strokes bring. */
 struct meter {
     struct vm_machine *m;
+    const struct crt_phosphor *phosphor;
     void (*commit)(void *ctx, const struct crt_stroke *stroke); /* the machine's own */
     struct crt_knobs knobs;
     double cell_mm, brought;
@@ -97,8 +101,13 @@ static void plan_tube(struct plan *p, const uint8_t *b)
     const struct crt_tube_row *row = crt_tube_rows(&rows);
     const struct crt_phosphor *phosphor = crt_phosphors(&phosphors);
     struct crt_error err;
+    while (row[rows - 1].kind != CRT_VECTOR_TUBE) /* which come first */
+        rows--;
     p->row = row[b[0] % rows];
     p->phosphor = &phosphor[b[1] % phosphors];
+    if (!crt_penetration_fits(&p->row, p->phosphor, &err))
+        p->phosphor = crt_phosphor_find("P49");
+    p->personality = b[3] & 64 ? DF_VS60 : DF_VT11;
     p->flags = b[2];
     p->knobs = knobs_of(b[3]);
     p->tick = ticks[b[4] & 3];
@@ -136,21 +145,34 @@ static bool plan_of(struct plan *p, const uint8_t *data, size_t size)
 
 /* ---- a run ------------------------------------------------------------------------------------- */
 
+/* Light of a stroke in parts of one on a tube of one voltage. */
+static double worth(const struct meter *meter, const struct crt_stroke *s)
+{
+    struct crt_voltage v =
+        crt_voltage_at(meter->m->desc.row, meter->phosphor, (enum crt_level)s->level);
+    double sum = 0;
+    for (int k = 0; k < meter->phosphor->terms; k++)
+        sum += meter->phosphor->term[k].w * v.light[meter->phosphor->term[k].colour];
+    return sum;
+}
+
 static void measure(void *ctx, const struct crt_stroke *s)
 {
     struct meter *meter = ctx;
     REQUIRE(s->t1 > s->t0 && s->t0 >= meter->last_t1);
     REQUIRE(s->drive >= 0 && s->drive <= 1);
     meter->last_t1 = s->t1;
+    REQUIRE(s->level < CRT_LEVELS);
     meter->brought += crt_spot_at(meter->m->desc.row, &meter->knobs, (double)s->drive).power *
-                      (double)(s->t1 - s->t0) * 1e-12 / (meter->cell_mm * meter->cell_mm);
+                      worth(meter, s) * (double)(s->t1 - s->t0) * 1e-12 /
+                      (meter->cell_mm * meter->cell_mm);
     meter->commit(meter->m, s);
 }
 
 static void connect(struct meter *meter, const struct plan *p, struct vm_machine *m)
 {
     struct df_beam *beam = &m->dpu.desc.beam;
-    *meter = (struct meter){m, beam->commit, p->knobs, p->grid.cell_mm, 0, 0};
+    *meter = (struct meter){m, p->phosphor, beam->commit, p->knobs, p->grid.cell_mm, 0, 0};
     *beam = (struct df_beam){meter, NULL, measure};
 }
 
@@ -227,6 +249,7 @@ static struct vm_machine_desc machine_of(const struct plan *p, struct crt_tube *
                                                      : DF_TIMING_VALUE;
     struct vm_machine_desc d = {.row = &p->row,
                                 .timing = df_timing_of_tube(&p->row, choice),
+                                .personality = p->personality,
                                 .tick = p->tick,
                                 .memory_bytes = p->flags & LITTLE_MEMORY ? 1024 : DF_ADDRESS_SPACE,
                                 .on_stop = p->flags & HALT ? VM_HALT : VM_RESTART,

@@ -134,16 +134,21 @@ static void check_settings(struct vm_settings_options *o)
         require(status == 2);
         check_sentence(&err);
     } else {
-        require(crt_tube_check(&s.row, &err));
+        require(crt_tube_check(&s.monitor[VM_VECTOR].row, &err));
         require(s.threads >= 1 && s.threads <= 64);
         require(s.memory_bytes >= 1024 && s.memory_bytes <= DF_MEMORY_BYTES);
-        require(s.knobs.brightness >= -1 && s.knobs.brightness <= 1);
-        require(s.knobs.contrast >= 0 && s.knobs.contrast <= 4 && s.knobs.focus >= 0 &&
-                s.knobs.focus <= 4);
-        struct vm_machine_desc m = vm_settings_machine(&s, DF_TIMING_VALUE, NULL);
+        require(s.monitor[VM_VECTOR].knobs.brightness >= -1 &&
+                s.monitor[VM_VECTOR].knobs.brightness <= 1);
+        require(s.monitor[VM_VECTOR].knobs.contrast >= 0 &&
+                s.monitor[VM_VECTOR].knobs.contrast <= 4 && s.monitor[VM_VECTOR].knobs.focus >= 0 &&
+                s.monitor[VM_VECTOR].knobs.focus <= 4);
+        struct vm_machine_desc m = vm_settings_machine(&s, DF_TIMING_VALUE);
         require(m.timing.fetch_ps > 0 && m.timing.fetch_ps <= CRT_PS_PER_S);
-        struct crt_tube_desc t = vm_settings_tube(&s);
-        require(t.grid.cols > 0 && t.grid.rows > 0 && t.epoch.num > 0);
+        struct vm_tubes t = vm_settings_tubes(&s, s.view);
+        for (int h = 0; h < VM_HEADS; h++)
+            if (t.heads >> h & 1)
+                require(t.desc[h].grid.cols > 0 && t.desc[h].grid.rows > 0 &&
+                        t.desc[h].epoch.num > 0);
     }
     vm_settings_free(&s);
 }
@@ -151,7 +156,7 @@ static void check_settings(struct vm_settings_options *o)
 static void check_command(int argc, char **argv)
 {
     struct everything all = {.real = 0};
-    struct vm_settings_options shared = {.tube = NULL};
+    struct vm_settings_options shared = {.phosphor = NULL};
     struct vm_option_table tables[] = {VM_OPTION_TABLE(rows, &all),
                                        VM_OPTION_TABLE(vm_settings_rows, &shared)};
     struct vm_args args;

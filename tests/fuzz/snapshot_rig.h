@@ -57,7 +57,7 @@ static const uint16_t words[WORDS] = {
     'S' | 016 << 8,
     041,
     DF_SET_MODE | DF_MODE_GRAPHX << DF_MODE_SHIFT,
-    DF_STATUS_B | DF_LSB_STEP | 10,
+    DF_STATUS_B | DF_LSB_STEP | 10 | DF_LSB_COLOUR | DF_COLOUR_ORANGE << DF_LSB_COLOUR_SHIFT,
     300,
     310,
     DF_STATUS_A | DF_LSA_SYNC | DF_LSA_STOP_INT | DF_LSA_STOP_INT_ON,
@@ -151,13 +151,14 @@ static uint64_t pen(void *ctx, const struct crt_stroke *s)
 static void open_rig(struct vm_rig *rig, bool with_tube)
 {
     struct crt_error err;
-    struct crt_tube_desc tube = vm_settings_tube(&settings);
-    struct crt_screen screen = crt_tube_screen(&settings.row);
+    struct vm_tubes tubes = vm_settings_tubes(&settings, VM_VIEW_VECTOR);
+    struct crt_screen screen = crt_tube_screen(&settings.monitor[VM_VECTOR].row);
     float x, y;
     crt_screen_to_mm(&screen, 69, 206, &x, &y); /* a drawn line just comes in */
-    tube.no_reuse = true;
-    tube.grid = crt_grid_closeup((double)x, (double)y, tube.grid.cell_mm * COLS, COLS, ROWS);
-    REQUIRE(vm_rig_open(rig, &settings, &input, DF_TIMING_VALUE, with_tube ? &tube : NULL, &err));
+    struct crt_tube_desc *tube = &tubes.desc[VM_VECTOR];
+    tube->grid = crt_grid_closeup((double)x, (double)y, tube->grid.cell_mm * COLS, COLS, ROWS);
+    tube->no_reuse = true;
+    REQUIRE(vm_rig_open(rig, &settings, &input, DF_TIMING_VALUE, with_tube ? &tubes : NULL, &err));
     rig->machine->dpu.desc.beam.offer = pen;
 }
 
@@ -186,15 +187,27 @@ static void make_firmware(void)
                                                    .executable = true};
 }
 
+/* The tube's cells are a VR17's, its voltages a penetration tube's. */
+static void give_colours(struct crt_tube_row *row)
+{
+    const struct crt_tube_row *from = crt_tube_row_find("PENET17");
+    row->penetration = true;
+#define X(field, unit, meaning) row->field = from->field;
+    CRT_FIGURES_PENETRATION(X)
+#undef X
+}
+
 static void set_up(bool with_firmware)
 {
     struct crt_error err;
-    settings = (struct vm_settings){.row = *crt_tube_row_find("VR17"),
-                                    .phosphor = *crt_phosphor_find("P7"),
-                                    .tick = {1000, 1},
-                                    .knobs = {0, 1, 0},
-                                    .memory_bytes = 4096,
-                                    .threads = 1};
+    settings = (struct vm_settings){
+        .tick = {1000, 1}, .memory_bytes = 4096, .personality = DF_VS60, .threads = 1};
+    settings.monitor[VM_VECTOR] =
+        (struct vm_monitor){*crt_tube_row_find("VR17"), *crt_phosphor_find("P7"), {0, 1, 0}};
+    settings.monitor[VM_RASTER] =
+        (struct vm_monitor){*crt_tube_row_find("MONO12"), *crt_phosphor_find("P4"), {0, 1, 0}};
+    REQUIRE(ras_mode_parse("640x480@60", &settings.timing, &err));
+    give_colours(&settings.monitor[VM_VECTOR].row);
     strcpy(input.name, "fuzz");
     REQUIRE(df_program_init(&input.program, &err));
     for (uint32_t i = 0; i < WORDS; i++)
@@ -281,16 +294,16 @@ static void watch(struct vm_rig *rig)
     struct crt_error err;
     double cd[CRT_MAX_COLOURS];
     uint64_t now = rig->machine->now;
-    REQUIRE(crt_film_init(&film, rig->tube, &err));
-    crt_film_open(rig->tube, &film, now + MS / 3, now + 2 * MS);
+    REQUIRE(crt_film_init(&film, rig->tube[VM_VECTOR], &err));
+    crt_film_open(rig->tube[VM_VECTOR], &film, now + MS / 3, now + 2 * MS);
     run_to(rig->machine, now + 3 * MS);
     REQUIRE(film.complete);
     for (int c = 0; c < film.colours; c++)
         for (int i = 0; i < film.grid.cols * film.grid.rows; i++)
             REQUIRE(isfinite(film.light[c][i]));
-    crt_tube_probe(rig->tube, 0, 0, rig->machine->now, cd);
+    crt_tube_probe(rig->tube[VM_VECTOR], 0, 0, rig->machine->now, cd);
     REQUIRE(isfinite(cd[0]) && isfinite(cd[1]));
-    REQUIRE(isfinite(crt_tube_totals(rig->tube).stored));
+    REQUIRE(isfinite(crt_tube_totals(rig->tube[VM_VECTOR]).stored));
     crt_film_free(&film);
 }
 

@@ -10,6 +10,13 @@ double bench_seconds(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
+double bench_wall_seconds(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
 double bench_floor_ns(size_t cells)
 {
     float *plane = calloc(cells, sizeof *plane), *film = calloc(cells, sizeof *film);

@@ -38,7 +38,7 @@ struct dpu_watch {
         .fetch_ps = 1500000, .vector_setup_ps = 2000000, .vector_unit_ps = 100000,                 \
         .vector_rest_ps = 100000, .settle_ps = 1000000, .settle_unit_ps = 18000,                   \
         .settle_max_ps = 18000000, .point_ps = 1000000, .character_ps = 15000000,                  \
-        .dot_ps = 250000, .intensify_ps = 20000000                                                 \
+        .dot_ps = 250000, .intensify_ps = 20000000, .colour_switch_ps = 100000000                  \
     }
 
 /* xorshift64*: the same numbers everywhere. */
@@ -76,6 +76,7 @@ static inline void dpu_watch_commit(void *ctx, const struct crt_stroke *s)
     WATCH(fabs((double)s->x0) <= half_w && fabs((double)s->x1) <= half_w);
     WATCH(fabs((double)s->y0) <= half_h && fabs((double)s->y1) <= half_h);
     WATCH(s->drive >= 0 && s->drive <= 1);
+    WATCH(s->level == (unsigned)df_dpu_level(w->dpu) && s->level <= CRT_LEVEL_GREEN);
     WATCH(s->source < 0x10000 && s->source % 2 == 0 && s->source < w->dpu->desc.memory_bytes);
     w->last_t1 = s->t1;
     w->strokes++;
@@ -104,6 +105,7 @@ static inline void dpu_watch_state(const struct dpu_watch *w)
     WATCH(d->state <= DF_WAITING_RESUME);
     WATCH(d->dpc % 2 == 0);
     WATCH(d->mode <= 6 && d->opcode <= 15 && d->intensity <= 7 && d->line_type <= 3);
+    WATCH(d->colour <= 3 && (d->colour == 0 || d->desc.personality == DF_VS60));
     WATCH(d->step <= 63 && d->phase <= 2 && d->character <= 0177);
     WATCH(d->x >= -2048 && d->x <= 2047 && d->y >= -2048 && d->y <= 2047);
     WATCH(d->hit_x <= 1023 && d->hit_y <= 1023);

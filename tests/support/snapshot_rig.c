@@ -133,9 +133,11 @@ struct snap_run *snap_open(const char *path, bool light, const struct vm_setting
                             vm_input_tube(&r->input), &r->settings, &err))
         fail_msg("%s", err.text);
     if (strncmp(path, "random", 6) == 0)
-        r->settings.row.spot.value = r->settings.row.width.value / 64;
-    struct crt_tube_desc tube = vm_settings_tube(&r->settings);
-    if (!vm_rig_open(&r->rig, &r->settings, &r->input, DF_TIMING_VALUE, light ? &tube : NULL, &err))
+        r->settings.monitor[VM_VECTOR].row.spot.value =
+            r->settings.monitor[VM_VECTOR].row.width.value / 64;
+    struct vm_tubes tubes = vm_settings_tubes(&r->settings, VM_VIEW_VECTOR);
+    if (!vm_rig_open(&r->rig, &r->settings, &r->input, DF_TIMING_VALUE, light ? &tubes : NULL,
+                     &err))
         fail_msg("%s", err.text);
     if (r->rig.console)
         r->rig.console->desc = (struct vm_console_desc){.ctx = r, .sink = printed};
@@ -191,8 +193,8 @@ static void trace_to(struct snap_run *r, uint64_t t0, uint64_t t1, struct crt_fi
     const struct vm_hooks hooks = {
         .ctx = r, .word = word, .stroke = stroke, .line = line, .processor = &processor};
     vm_machine_trace(r->rig.machine, t0, &hooks);
-    if (r->rig.tube)
-        crt_film_open(r->rig.tube, film, t0, t1);
+    if (r->rig.tube[VM_VECTOR])
+        crt_film_open(r->rig.tube[VM_VECTOR], film, t0, t1);
     vm_machine_trace(r->rig.machine, t1, &hooks);
 }
 
@@ -202,8 +204,8 @@ void snap_go_on_alike(struct snap_run *a, struct snap_run *b, uint64_t t0, uint6
     struct snap_run *run[2] = {a, b};
     struct crt_error err;
     for (int i = 0; i < 2; i++) {
-        if (run[i]->rig.tube)
-            assert_true(crt_film_init(&film[i], run[i]->rig.tube, &err));
+        if (run[i]->rig.tube[VM_VECTOR])
+            assert_true(crt_film_init(&film[i], run[i]->rig.tube[VM_VECTOR], &err));
         run[i]->drawn = run[i]->printed = 0;
         trace_to(run[i], t0, t1, &film[i]);
     }

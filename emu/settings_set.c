@@ -1,0 +1,150 @@
+/* settings_set.c — --set KEY=VALUE: memory, knobs, figures of the tubes. */
+#include <string.h>
+
+#include "emu/settings_parts.h"
+
+static bool set_memory(struct vm_settings *s, const char *text, struct crt_error *err)
+{
+    uint32_t bytes;
+    if (!vm_parse_bytes(text, &bytes, err))
+        return false;
+    if (bytes < 1024 || bytes > DF_MEMORY_BYTES || bytes % 2)
+        return crt_fail(err, "%s is not a possible display memory; give 1K to 256K", text);
+    s->memory_bytes = bytes;
+    return true;
+}
+
+static bool set_average(struct vm_settings *s, const char *text, struct crt_error *err)
+{
+    struct vm_time time;
+    if (!vm_parse_time(text, &time, err))
+        return false;
+    if (time.in_ticks || time.value == 0)
+        return crt_fail(err, "'%s' must be a time above zero, such as 33.33us", text);
+    s->average_ps = time.value;
+    return true;
+}
+
+/* The number in front of the figure's unit, or a time where the unit is one. */
+static bool figure_value(const char *text, const char *unit, double *value, struct crt_error *err)
+{
+    char number[40];
+    size_t n = strlen(text), u = strlen(unit);
+    struct vm_time time;
+    if (strcmp(unit, "us") == 0 && n && text[n - 1] == 's') {
+        if (!vm_parse_time(text, &time, err))
+            return false;
+        *value = (double)time.value / (double)CRT_PS_PER_US;
+        return true;
+    }
+    if (n > u && strcmp(text + n - u, unit) == 0 && strcmp(unit, "1") != 0)
+        n -= u;
+    if (n >= sizeof number)
+        return crt_fail(err, "'%.60s' is not a number", text);
+    memcpy(number, text, n);
+    number[n] = '\0';
+    return vm_parse_real(number, -1e9, 1e9, value, err);
+}
+
+static bool no_such_key(const char *name, struct crt_error *err)
+{
+#define X(field, unit, meaning) #field,
+    static const char *const names[] = {CRT_TUBE_FIGURES(X) "memory", "dpu.average", "brightness",
+                                        "contrast", "focus"};
+#undef X
+    const char *near = vm_nearest(name, names, sizeof names / sizeof *names);
+    if (near)
+        return crt_fail(err, "there is no '%.60s' to set; did you mean %s?", name, near);
+    return crt_fail(err, "there is no '%.60s' to set; kinescope list tubes --why names the figures",
+                    name);
+}
+
+static bool set_figure(struct vm_monitor *m, const char *name, const char *text,
+                       struct crt_error *err)
+{
+    const char *unit = "";
+    double value = 0;
+    struct crt_figure *figure = crt_tube_figure(&m->row, name, &unit);
+    if (!figure_value(text, unit, &value, err))
+        return false;
+    *figure = (struct crt_figure){value, value, value, "set on the command line"};
+    return crt_tube_check_figure(&m->row, name, err);
+}
+
+/* The knob called `name`, and its limits; NULL: there is none. */
+static double *knob_of(struct crt_knobs *knobs, const char *name, double *low, double *high)
+{
+    *low = strcmp(name, "brightness") == 0 ? -1 : 0;
+    *high = *low < 0 ? 1 : 4;
+    if (strcmp(name, "brightness") == 0)
+        return &knobs->brightness;
+    if (strcmp(name, "contrast") == 0)
+        return &knobs->contrast;
+    return strcmp(name, "focus") == 0 ? &knobs->focus : NULL;
+}
+
+/* A knob is turned on every monitor that is meant. */
+static bool set_knob(struct vm_settings *s, unsigned heads, const char *name, const char *text,
+                     struct crt_error *err)
+{
+    for (int h = 0; h < VM_HEADS; h++) {
+        double low, high, *knob = knob_of(&s->monitor[h].knobs, name, &low, &high);
+        if ((heads >> h & 1) && !vm_parse_real(text, low, high, knob, err))
+            return false;
+    }
+    return true;
+}
+
+/* The head whose figure is meant: the one named, the main one, or the only one that has it. */
+static bool head_for(const struct vm_settings *s, unsigned named, const char *name,
+                     enum vm_head *head, struct crt_error *err)
+{
+    struct crt_tube_row copy = s->monitor[s->main].row;
+    if (!crt_tube_figure(&copy, name, NULL))
+        return no_such_key(name, err);
+    *head = named == VM_VIEW_RASTER ? VM_RASTER : named == VM_VIEW_VECTOR ? VM_VECTOR : s->main;
+    enum vm_head other = *head == VM_RASTER ? VM_VECTOR : VM_RASTER;
+    if (named == VM_VIEW_BOTH && !crt_tube_has_figure(&s->monitor[*head].row, name) &&
+        crt_tube_has_figure(&s->monitor[other].row, name))
+        *head = other;
+    return true;
+}
+
+/* KEY=VALUE, HEAD.KEY=VALUE. */
+static bool set_one(struct vm_settings *s, const char *item, struct crt_error *err)
+{
+    char key[48];
+    size_t n = strcspn(item, "=");
+    if (item[n] != '=' || n == 0 || n >= sizeof key)
+        return crt_fail(err, "'%.60s' is not KEY=VALUE, such as memory=16K", item);
+    memcpy(key, item, n);
+    key[n] = '\0';
+    const char *text = item + n + 1, *name = key;
+    unsigned heads = VM_VIEW_BOTH;
+    double low, high;
+    enum vm_head head;
+    struct crt_knobs knobs;
+    if (strcmp(name, "memory") == 0)
+        return set_memory(s, text, err);
+    if (strcmp(name, "dpu.average") == 0)
+        return set_average(s, text, err);
+    if (strncmp(name, "vector.", 7) == 0 || strncmp(name, "raster.", 7) == 0) {
+        heads = name[0] == 'v' ? VM_VIEW_VECTOR : VM_VIEW_RASTER;
+        name += 7;
+    }
+    if (knob_of(&knobs, name, &low, &high))
+        return set_knob(s, heads, name, text, err);
+    return head_for(s, heads, name, &head, err) && set_figure(&s->monitor[head], name, text, err);
+}
+
+bool vm_settings_set(struct vm_settings *s, const struct vm_list *set, struct crt_error *err)
+{
+    struct crt_error why;
+    for (int i = 0; i < set->count; i++)
+        if (!set_one(s, set->item[i], &why))
+            return crt_fail(err, "--set: %.400s", why.text);
+    for (int h = 0; h < VM_HEADS; h++)
+        if (!crt_tube_check(&s->monitor[h].row, &why))
+            return crt_fail(err, "--set: %.400s", why.text);
+    return true;
+}

@@ -1,0 +1,44 @@
+#include "emu/view.h"
+
+enum vm_view vm_view_now(enum vm_view wanted, const struct vm_machine *m)
+{
+    bool vector = vm_machine_uses_vector(m), raster = vm_machine_uses_raster(m);
+    if (wanted != VM_VIEW_AUTO)
+        return m->desc.buffer ? wanted : VM_VIEW_VECTOR;
+    return vector && raster ? VM_VIEW_BOTH : raster ? VM_VIEW_RASTER : VM_VIEW_VECTOR;
+}
+
+bool vm_view_resolve(enum vm_view wanted, const struct vm_machine *m, const char *program,
+                     enum vm_view *view, struct crt_error *err)
+{
+    if ((wanted & VM_VIEW_RASTER) && !m->desc.buffer)
+        return crt_fail(err,
+                        "--view %s: %.200s has no firmware, and a raster head needs a processor",
+                        vm_view_name(wanted), program);
+    *view = vm_view_now(wanted, m);
+    return true;
+}
+
+uint64_t vm_view_exposure(enum vm_view view, const struct vm_machine *m)
+{
+    const struct ras_timing *timing = &m->raster.timing;
+    if (view != VM_VIEW_RASTER)
+        return crt_tick_time(m->desc.tick, 1);
+    return crt_tick_time(ras_field_rate(timing), timing->interlaced ? 2 : 1);
+}
+
+void vm_view_place(enum vm_view view, const struct vm_machine *m, double x, double y, double *x_mm,
+                   double *y_mm)
+{
+    const struct ras_timing *timing = &m->raster.timing;
+    struct crt_screen screen = m->dpu.desc.screen;
+    if (view == VM_VIEW_RASTER) {
+        screen = (struct crt_screen){m->raster.desc.width_mm, m->raster.desc.height_mm,
+                                     timing->h.visible, timing->v.visible};
+        y = screen.units_y - 1 - y;
+    }
+    float mm[2];
+    crt_screen_to_mm(&screen, x, y, &mm[0], &mm[1]);
+    *x_mm = (double)mm[0];
+    *y_mm = (double)mm[1];
+}
