@@ -97,8 +97,8 @@ static void slanted(const struct picture *p, int x, int y, int width, int height
 
 static void writing(const struct picture *p, int x, int y)
 {
-    static const char *const words[] = {"one row high: THE FEET OF THESE", "LETTERS ARE THIN"};
-    static const char *const double_words[] = {"two rows high: and these", "stand still"};
+    static const char *const words[] = {"ONE ROW HIGH:", "these feet flicker"};
+    static const char *const double_words[] = {"TWO ROWS HIGH:", "these stand still"};
     int line = 480 * (FONT_HEIGHT + 2) / p->canvas.height;
     for (int i = 0; i < 2; i++) {
         text(p, x, y + i * line, 1, words[i]);
@@ -110,12 +110,11 @@ static void heading(const struct picture *p)
 {
     struct video_timing t = video_timing();
     char words[96];
-    uint32_t line = (video_line_mhz(&t) + 500) / 1000, field = video_field_mhz(&t);
+    uint32_t field = video_field_mhz(&t);
     uint32_t row = (p->laced ? field / 2 : field) / 10; /* hundredths */
-    canvas_text(&p->canvas, at_x(p, 24), at_y(p, 26), 2 * p->scale, 2 * p->tall, WHITE,
+    canvas_text(&p->canvas, at_x(p, 24), at_y(p, 26), p->scale + 1, 2 * p->tall, WHITE,
                 p->laced ? "INTERLACED" : "NOT INTERLACED");
-    snprintf(words, sizeof words, "%d rows, %lu.%03lu kHz: each row %lu.%02lu times a second",
-             p->canvas.height, (unsigned long)line / 1000, (unsigned long)line % 1000,
+    snprintf(words, sizeof words, "%d rows: each one %lu.%02lu times a second", p->canvas.height,
              (unsigned long)row / 100, (unsigned long)row % 100);
     text(p, 24, 76, p->tall, words);
 }
@@ -123,15 +122,15 @@ static void heading(const struct picture *p)
 static void draw(struct picture *p)
 {
     const struct canvas *c = &p->canvas;
-    p->scale = 1;
+    p->scale = c->width >= 700 ? 2 : 1; /* a set does not resolve single dots */
     p->tall = c->height >= 400 ? 2 : 1;
     canvas_clear(c, BLACK);
     canvas_frame(c, 0, 0, c->width, c->height, 2, WHITE);
     heading(p);
-    stripes(p, 24, 2, 1, "1 lit, 1 dark");
-    stripes(p, 178, 8, 1, "1 lit, 7 dark");
-    stripes(p, 332, 4, 2, "2 lit, 2 dark");
-    stripes(p, 486, 8, 2, "2 lit, 6 dark");
+    stripes(p, 24, 2, 1, "1 of 2");
+    stripes(p, 178, 8, 1, "1 of 8");
+    stripes(p, 332, 4, 2, "2 of 4");
+    stripes(p, 486, 8, 2, "2 of 8");
     slanted(p, 24, 290, 284, 150);
     writing(p, 332, 290);
 }

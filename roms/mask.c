@@ -32,14 +32,14 @@ enum { WIDTH = 56, HEIGHT = 30, STEP = 5 };
 static void window(const struct canvas *c, int x, int y)
 {
     static const uint16_t dots[] = {WHITE, RED, GREEN, BLUE, CYAN, MAGENTA, YELLOW};
-    const char *text = "CRT 17";
+    const char *text = "PIXELS";
     canvas_fill(c, x, y, WIDTH, HEIGHT, BLACK);
     canvas_text(c, x + 4, y + 2, 1, 1, WHITE, text);
     for (int i = 0; i < 7; i++)
         canvas_fill(c, x + 5 + i * STEP, y + 20, 1, 1, dots[i]);
     for (int i = 0; i < 2; i++) {
-        canvas_fill(c, x + 42 + 2 * i, y + 17, 1, 8, WHITE);
-        canvas_fill(c, x + 47, y + 19 + 2 * i, 6, 1, WHITE);
+        canvas_fill(c, x + 41 + 3 * i, y + 16, 1, 9, WHITE);
+        canvas_fill(c, x + 47, y + 19 + 3 * i, 6, 1, WHITE);
     }
 }
 

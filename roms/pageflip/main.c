@@ -29,6 +29,7 @@ struct show {
     bool synced, stays;
     unsigned shown; /* which page is */
     uint64_t began; /* this turn */
+    uint64_t next;  /* picture without sync */
     uint32_t turns;
 };
 
@@ -43,8 +44,11 @@ static void draw(struct pageflip_page *page, bool look)
 static void unsynced(struct show *show)
 {
     struct pageflip_page *page = &show->page[show->shown];
+    uint64_t now = timer_now();
+    if (now < show->next)
+        timer_sleep(show->next - now);
+    show->next = timer_now() + TIMER_HZ / UNSYNCED;
     draw(page, true);
-    timer_sleep(TIMER_HZ / UNSYNCED);
 }
 
 static void synced(struct show *show)

@@ -3,7 +3,7 @@
 #include "roms/bsp/video.h"
 #include "roms/raster/font.h"
 
-enum { MARGIN = 24, HEAD = 96, BAR_PARTS = 8, MARK = 12 }; /* a bar is an eighth of the stage */
+enum { MARGIN = 24, HEAD = 96, BAR_PARTS = 6, MARK = 16 }; /* a bar is a sixth of the stage */
 
 void pageflip_colours(void)
 {
@@ -55,25 +55,46 @@ void pageflip_text(struct pageflip_page *page, bool synced)
     canvas_text(c, x, HEAD - FONT_HEIGHT * small - 6, small, small, PAGEFLIP_FRAME, lines[synced]);
 }
 
-/* A stretch of a row of the stage, which goes round: beyond its right edge is its left one. */
-static void stretch(uint8_t *row, int width, int from, int length, uint8_t colour)
+/* What changes in every row alike: stretches of it that get another colour. */
+struct change {
+    int from, length;
+    uint8_t colour;
+};
+struct changes {
+    int count;
+    struct change list[4 * BAR_PARTS];
+};
+
+/* The stage goes round: beyond its right edge is its left one. */
+static void add(struct changes *changes, int width, int from, int length, uint8_t colour)
 {
     from = (from % width + width) % width;
-    for (int i = 0; i < length; i++) {
-        row[from] = colour;
-        if (++from == width)
-            from = 0;
-    }
+    int first = length < width - from ? length : width - from;
+    changes->list[changes->count++] = (struct change){from, first, colour};
+    if (first < length)
+        changes->list[changes->count++] = (struct change){0, length - first, colour};
 }
 
-/* What changes in a row: the bars grow on one side and shrink on the other. */
-static void move_row(const struct pageflip_page *page, uint8_t *row, int swept)
+/* The bars grow on one side and shrink on the other. */
+static struct changes moved_to(const struct pageflip_page *page, int swept)
 {
-    int width = page->bars.width, bar = width / BAR_PARTS, moved = swept - page->swept;
+    struct changes changes = {0};
+    int width = page->bars.width, moved = swept - page->swept;
     for (int i = 0; i < BAR_PARTS; i += 2) {
         int at = page->swept + i * width / BAR_PARTS;
-        stretch(row, width, at + bar, moved, PAGEFLIP_BAR);
-        stretch(row, width, at, moved, PAGEFLIP_GROUND);
+        add(&changes, width, at + width / BAR_PARTS, moved, PAGEFLIP_BAR);
+        add(&changes, width, at, moved, PAGEFLIP_GROUND);
+    }
+    return changes;
+}
+
+static void change_row(const struct changes *changes, uint8_t *row)
+{
+    const struct change *end = changes->list + changes->count;
+    for (const struct change *c = changes->list; c < end; c++) {
+        uint8_t *to = row + c->from + c->length;
+        for (uint8_t *at = row + c->from; at < to; at++)
+            *at = c->colour;
     }
 }
 
@@ -97,15 +118,19 @@ void pageflip_bars(struct pageflip_page *page, int swept, bool look)
     if (page->swept < 0 || swept - page->swept > r->width / BAR_PARTS)
         first(page, swept);
     pageflip_unmark(page);
-    if ((int)video_beam_row() <= r->y)
-        look = false; /* the beam comes after us from the first row on */
+    struct changes changes = moved_to(page, swept);
+    int beam = (int)video_beam_row();
+    look = look && beam > r->y && beam < page->canvas.height; /* else it comes after us */
     for (int y = r->y; y < r->y + r->height; y++) {
-        if (look && (int)video_beam_row() <= y) {
+        int before = beam;
+        beam = look ? (int)video_beam_row() : 0;
+        look = look && beam >= before && beam < page->canvas.height;
+        if (look && beam <= y) {
             look = false;
             page->mark = y;
             mark(page, y, PAGEFLIP_MARK);
         }
-        move_row(page, page->canvas.pixels + (uint32_t)y * page->canvas.pitch + r->x, swept);
+        change_row(&changes, page->canvas.pixels + (uint32_t)y * page->canvas.pitch + r->x);
     }
     page->swept = swept;
 }
