@@ -70,6 +70,10 @@ void ras_signals_until(struct ras_head *head, uint64_t t)
 void ras_head_hook(struct ras_head *head, const struct ras_hooks *hooks, uint64_t t)
 {
     head->hooks = *hooks;
-    if (head->on)
-        schedule(head, ras_dot_at(head, t), KINDS);
+    if (!head->on)
+        return;
+    if (t > head->origin) /* what happens at t itself is still to be told */
+        schedule(head, ras_dot_at(head, t - 1), KINDS);
+    else
+        schedule(head, 0, 0);
 }
