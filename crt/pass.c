@@ -63,17 +63,22 @@ void crt_pass_destroy(struct crt_pass *pass)
 
 /* ---- batches --------------------------------------------------------------------------------- */
 
+/* Films get the light of what planes store. */
+static void expose_band(struct crt_pass *pass, int lo, int hi)
+{
+    int first = lo / CRT_TILE_ROWS, last = (hi + CRT_TILE_ROWS - 1) / CRT_TILE_ROWS;
+    int across = pass->tube->planes.tile_cols;
+    for (int row = first; row < last; row++)
+        crt_pass_tiles(pass, row * across, (row + 1) * across);
+}
+
 static void work_band(void *context, int band, int worker)
 {
     struct crt_pass *pass = context;
     int lo = band * pass->band_rows, end = lo + pass->band_rows;
     int hi = end < pass->rows ? end : pass->rows;
-    if (!pass->tiles_done && pass->feeds > 0) {
-        int first = lo / CRT_TILE_ROWS, last = (hi + CRT_TILE_ROWS - 1) / CRT_TILE_ROWS;
-        int across = pass->tube->planes.tile_cols;
-        for (int row = first; row < last; row++)
-            crt_pass_tiles(pass, row * across, (row + 1) * across);
-    }
+    if (!pass->tiles_done && pass->feeds > 0)
+        expose_band(pass, lo, hi);
     crt_pass_pieces(pass, band, lo, hi, worker);
 }
 
@@ -222,13 +227,89 @@ static void plan_entries(struct crt_pass *pass, const struct crt_entries *entrie
     }
 }
 
+static void run_strokes(struct crt_pass *pass, uint64_t end)
+{
+    struct crt_tube *tube = pass->tube;
+    if (pass->feeds > 0 && tube->journal.before.count > 0) {
+        pass->receivers = pass->planes = 0;
+        add_films(pass, tube->quick);
+        plan_entries(pass, &tube->journal.before, 0, tube->begin);
+        flush(pass);
+    }
+    pass->receivers = pass->planes = 0;
+    if (pass->commit)
+        add_planes(pass);
+    add_films(pass, UINT32_MAX);
+    plan_entries(pass, &tube->journal.now, tube->begin, end);
+    flush(pass);
+}
+
+/* ---- scan lines ------------------------------------------------------------------------------ */
+
+/* The gun that lights a receiver: three guns have a colour each. */
+static int gun_of(const struct crt_pass *pass, int receiver)
+{
+    const struct crt_tube *tube = pass->tube;
+    const struct crt_phosphor *phosphor = tube->desc.phosphor;
+    if (crt_tube_guns(tube->desc.row) == 1)
+        return 0;
+    if (receiver < pass->planes)
+        return phosphor->term[tube->planes.plane[receiver].term].colour;
+    return (receiver - pass->planes) % phosphor->colours;
+}
+
+static void work_line_band(void *context, int band, int worker)
+{
+    struct crt_pass *pass = context;
+    struct crt_tube *tube = pass->tube;
+    int lo = band * pass->band_rows, end = lo + pass->band_rows;
+    int hi = end < pass->rows ? end : pass->rows;
+    if (pass->feeds > 0)
+        expose_band(pass, lo, hi);
+    crt_line_pass_band(tube->line_pass, lo, hi, worker, &tube->planes, tube->planes.epoch + 1);
+}
+
+/* Lines of both epochs that begin before `end`. */
+static bool plan_lines(struct crt_pass *pass, uint64_t end)
+{
+    struct crt_tube *tube = pass->tube;
+    struct crt_line_target target[CRT_MAX_TARGETS];
+    pass->receivers = pass->planes = 0;
+    if (pass->commit)
+        add_planes(pass);
+    int late = pass->late < pass->planes ? pass->late : pass->planes;
+    add_films(pass, tube->quick);
+    int earlier = pass->receivers - late;
+    memcpy(pass->earlier, pass->receiver + late, (size_t)earlier * sizeof pass->earlier[0]);
+    pass->receivers = pass->planes;
+    add_films(pass, UINT32_MAX);
+    for (int i = 0; i < pass->receivers; i++)
+        target[i] = (struct crt_line_target){pass->receiver[i].cells, gun_of(pass, i)};
+    crt_line_pass_begin(tube->line_pass, target, pass->receivers, pass->planes);
+    return crt_line_pass_add(tube->line_pass, &tube->lines.before, pass->earlier, late, earlier, 0,
+                             tube->begin) &&
+           crt_line_pass_add(tube->line_pass, &tube->lines.now, pass->receiver, 0, pass->receivers,
+                             tube->begin, end) &&
+           crt_line_pass_prepare(tube->line_pass, tube->pool);
+}
+
+static void run_lines(struct crt_pass *pass, uint64_t end)
+{
+    struct crt_tube *tube = pass->tube;
+    if (!plan_lines(pass, end))
+        tube->lost++;
+    crt_pool_run(tube->pool, work_line_band, pass, pass->bands);
+    crt_line_pass_end(tube->line_pass);
+}
+
 /* ---- a pass ---------------------------------------------------------------------------------- */
 
 static void begin_pass(struct crt_pass *pass, struct crt_tube *tube, const struct crt_feed *feeds,
-                       int count, bool commit)
+                       int count, bool commit, int late)
 {
     pass->tube = tube;
     pass->feeds = count;
+    pass->late = late;
     pass->commit = commit;
     pass->tiles_done = false;
     pass->count = 0;
@@ -245,28 +326,31 @@ static void begin_pass(struct crt_pass *pass, struct crt_tube *tube, const struc
     }
 }
 
-void crt_pass_run(struct crt_tube *tube, const struct crt_feed *feeds, int count, bool commit)
+static void run(struct crt_tube *tube, const struct crt_feed *feeds, int count, bool commit,
+                int late)
 {
     struct crt_pass *pass = tube->pass;
     assert(count <= CRT_PASS_FILMS);
-    begin_pass(pass, tube, feeds, count, commit);
+    begin_pass(pass, tube, feeds, count, commit, late);
     uint64_t end = commit ? tube->end : tube->begin;
     for (int i = 0; i < count; i++)
         end = feeds[i].to > end ? feeds[i].to : end;
-    if (count > 0 && tube->journal.before.count > 0) {
-        pass->receivers = pass->planes = 0;
-        add_films(pass, tube->quick);
-        plan_entries(pass, &tube->journal.before, 0, tube->begin);
-        flush(pass);
-    }
-    pass->receivers = pass->planes = 0;
-    if (commit)
-        add_planes(pass);
-    add_films(pass, UINT32_MAX);
-    plan_entries(pass, &tube->journal.now, tube->begin, end);
-    flush(pass);
+    if (tube->line_pass)
+        run_lines(pass, end);
+    else
+        run_strokes(pass, end);
     for (int i = 0; i < count; i++) {
         feeds[i].film->blank = false;
         feeds[i].film->fed_to = feeds[i].to;
     }
+}
+
+void crt_pass_run(struct crt_tube *tube, const struct crt_feed *feeds, int count, bool commit)
+{
+    run(tube, feeds, count, commit, CRT_MAX_TARGETS);
+}
+
+void crt_pass_run_late(struct crt_tube *tube, const struct crt_feed *feeds, int count, int late)
+{
+    run(tube, feeds, count, true, late);
 }

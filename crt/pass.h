@@ -33,6 +33,10 @@ void crt_pass_destroy(struct crt_pass *pass);
 /* `commit`: the running epoch ends, planes become those of its end. */
 void crt_pass_run(struct crt_tube *tube, const struct crt_feed *feeds, int count, bool commit);
 
+/* The same at the end of an epoch in which planes from `late` on were added: they get light of scan
+ * lines of the epoch before, too. */
+void crt_pass_run_late(struct crt_tube *tube, const struct crt_feed *feeds, int count, int late);
+
 /* Room for the F0 and then the F1 of so many chunks; for one thread, between passes. */
 float *crt_pass_scratch(const struct crt_pass *pass, size_t *chunks);
 

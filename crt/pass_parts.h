@@ -56,8 +56,10 @@ struct crt_pass {
     int feeds;
     bool commit, tiles_done;
     struct crt_receiver receiver[CRT_MAX_TARGETS];
-    int receivers, planes; /* planes come first */
-    int count;             /* pieces in the batch */
+    int receivers, planes;                        /* planes come first */
+    struct crt_receiver earlier[CRT_MAX_TARGETS]; /* of lines of the epoch before */
+    int late;  /* planes from this one on know nothing of those lines */
+    int count; /* pieces in the batch */
 };
 
 /* Exposes the films to tiles [tile, end) of one row of tiles. When the epoch ends and one sweep can

@@ -21,25 +21,40 @@ static size_t stagger(int plane)
     return (size_t)plane * 208 % CRT_PAGE_FLOATS;
 }
 
+static void free_plane(struct crt_plane *plane)
+{
+    free(plane->memory);
+    free(plane->lit);
+    free(plane->age);
+}
+
+bool crt_planes_add(struct crt_planes *planes, int term, float factor)
+{
+    size_t tiles = (size_t)planes->tile_cols * (size_t)planes->tile_rows;
+    struct crt_plane *plane = &planes->plane[planes->count];
+    *plane = (struct crt_plane){.term = term, .factor = factor};
+    plane->memory = crt_cells_alloc((size_t)planes->cols * (size_t)planes->rows + CRT_PAGE_FLOATS);
+    plane->lit = calloc(tiles, sizeof plane->lit[0]);
+    plane->age = calloc(tiles, sizeof plane->age[0]);
+    if (!plane->memory || !plane->lit || !plane->age) {
+        free_plane(plane);
+        return false;
+    }
+    plane->cells = plane->memory + stagger(++planes->count);
+    return true;
+}
+
 bool crt_planes_init(struct crt_planes *planes, const struct crt_phosphor *phosphor, int cols,
                      int rows, double epoch_s, const struct crt_kernels *kernels)
 {
     *planes = (struct crt_planes){.kernels = kernels, .cols = cols, .rows = rows};
     planes->tile_cols = (cols + CRT_TILE_COLS - 1) / CRT_TILE_COLS;
     planes->tile_rows = (rows + CRT_TILE_ROWS - 1) / CRT_TILE_ROWS;
-    size_t tiles = (size_t)planes->tile_cols * (size_t)planes->tile_rows;
     for (int k = 0; k < phosphor->terms; k++) {
         double factor = crt_exp(-epoch_s / phosphor->term[k].tau_s);
         if (factor <= CRT_PLANE_SHARE)
             continue;
-        struct crt_plane *plane = &planes->plane[planes->count++];
-        plane->term = k;
-        plane->factor = (float)factor;
-        plane->memory = crt_cells_alloc((size_t)cols * (size_t)rows + CRT_PAGE_FLOATS);
-        plane->cells = plane->memory ? plane->memory + stagger(planes->count) : NULL;
-        plane->lit = calloc(tiles, sizeof plane->lit[0]);
-        plane->age = calloc(tiles, sizeof plane->age[0]);
-        if (!plane->cells || !plane->lit || !plane->age) {
+        if (!crt_planes_add(planes, k, (float)factor)) {
             crt_planes_free(planes);
             return false;
         }
@@ -47,13 +62,16 @@ bool crt_planes_init(struct crt_planes *planes, const struct crt_phosphor *phosp
     return true;
 }
 
+void crt_planes_clear(struct crt_planes *planes)
+{
+    for (int k = 0; k < planes->count; k++)
+        free_plane(&planes->plane[k]);
+    planes->count = 0;
+}
+
 void crt_planes_free(struct crt_planes *planes)
 {
-    for (int k = 0; k < planes->count; k++) {
-        free(planes->plane[k].memory);
-        free(planes->plane[k].lit);
-        free(planes->plane[k].age);
-    }
+    crt_planes_clear(planes);
     *planes = (struct crt_planes){0};
 }
 

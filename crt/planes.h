@@ -48,6 +48,10 @@ float *crt_cells_alloc(size_t cells);
 
 bool crt_planes_init(struct crt_planes *planes, const struct crt_phosphor *phosphor, int cols,
                      int rows, double epoch_s, const struct crt_kernels *kernels);
+/* One more plane, dark; false when memory is out. */
+bool crt_planes_add(struct crt_planes *planes, int term, float factor);
+/* No planes any more. */
+void crt_planes_clear(struct crt_planes *planes);
 void crt_planes_free(struct crt_planes *planes);
 
 /* A tile's cells, brought to `epoch`; NULL when they are all 0. */

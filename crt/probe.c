@@ -4,6 +4,7 @@
 #include <assert.h>
 #include <math.h>
 
+#include "crt/line_look.h"
 #include "crt/maths.h"
 #include "crt/share.h"
 #include "crt/tube_parts.h"
@@ -173,6 +174,10 @@ void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint6
         look_at_entry(&at, &journal->before.at[i], 0, tube->begin, tube->quick);
     for (size_t i = 0; i < journal->now.count; i++)
         look_at_entry(&at, &journal->now.at[i], tube->begin, t, UINT32_MAX);
+    if (!tube->line_pass)
+        return;
+    crt_lines_look(tube, &tube->lines.before, x_mm, y_mm, t, 0, tube->begin, tube->quick, cd_m2);
+    crt_lines_look(tube, &tube->lines.now, x_mm, y_mm, t, tube->begin, t, UINT32_MAX, cd_m2);
 }
 
 /* ---- totals ---------------------------------------------------------------------------------- */

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "crt/line_look.h"
 #include "crt/plan.h"
 #include "crt/tube_parts.h"
 
@@ -58,6 +59,8 @@ static void sum_entries(struct summing *summing, const struct crt_entries *entri
 
 double crt_pass_stored(const struct crt_tube *tube)
 {
+    if (tube->line_pass)
+        return crt_lines_stored(tube);
     struct summing summing = {tube, 0};
     sum_entries(&summing, &tube->journal.before, tube->quick, 0, tube->begin);
     sum_entries(&summing, &tube->journal.now, UINT32_MAX, tube->begin, tube->now);

@@ -47,11 +47,11 @@ static bool sane_desc(const struct crt_tube_desc *desc, struct crt_error *err)
     return crt_tube_check_phosphor(desc->row, desc->phosphor, err) && sane_cells(desc, err);
 }
 
-/* Which terms have no plane, and how long the journal must remember strokes for them. */
-static void note_quick_terms(struct crt_tube *tube)
+void crt_tube_note_quick(struct crt_tube *tube)
 {
     const struct crt_phosphor *phosphor = tube->desc.phosphor;
     double longest = 0;
+    tube->quick = 0;
     for (int k = 0; k < phosphor->terms; k++) {
         bool lasting = false;
         for (int p = 0; p < tube->planes.count; p++)
@@ -83,9 +83,17 @@ struct crt_tube *crt_tube_create(const struct crt_tube_desc *desc, struct crt_er
     int cols = desc->grid.cols, rows = desc->grid.rows;
     bool ok = crt_planes_init(&tube->planes, desc->phosphor, cols, rows, epoch_s, kernels);
     if (ok) {
-        note_quick_terms(tube);
+        crt_tube_note_quick(tube);
         tube->pass = crt_pass_create(cols, rows, tube->planes.count, desc->threads);
         ok = tube->pass != NULL;
+    }
+    if (ok && desc->row->kind == CRT_RASTER_TUBE) {
+        tube->line_pass = crt_line_pass_create(desc->row, desc->phosphor, &desc->grid,
+                                               desc->threads, desc->simd, err);
+        if (!tube->line_pass) {
+            crt_tube_destroy(tube);
+            return NULL;
+        }
     }
     if (!ok) {
         crt_fail(err, "out of memory for a tube of %d x %d cells; choose larger cells", cols, rows);
@@ -112,6 +120,8 @@ void crt_tube_destroy(struct crt_tube *tube)
     crt_pass_destroy(tube->pass);
     crt_planes_free(&tube->planes);
     crt_journal_free(&tube->journal);
+    crt_lines_free(&tube->lines);
+    crt_line_pass_destroy(tube->line_pass);
     crt_reuse_destroy(tube->reuse);
     free(tube);
 }
@@ -153,12 +163,31 @@ void crt_tube_stroke(struct crt_tube *tube, const struct crt_stroke *stroke)
         tube->lost++;
 }
 
+static bool sane_line(const struct crt_scan_line *line)
+{
+    return line->t1 > line->t0 && isfinite(line->x0) && isfinite(line->x1) && isfinite(line->y0) &&
+           line->y0 == line->y1 && line->x0 < line->x1;
+}
+
+void crt_tube_scan_line(struct crt_tube *tube, const struct crt_scan_line *line)
+{
+    assert(tube->line_pass && line->guns == crt_tube_guns(tube->desc.row));
+    assert(line->dots >= 1 && line->dots <= CRT_MAX_DOTS);
+    assert(line->t0 >= tube->last_start && line->t0 >= tube->now);
+    tube->last_start = line->t0;
+    tube->strokes++;
+    if (sane_line(line) &&
+        !crt_lines_push(&tube->lines, &tube->lines.now, tube->desc.row, &tube->desc.knobs, line))
+        tube->lost++;
+}
+
 bool crt_tube_intact(const struct crt_tube *tube, struct crt_error *err)
 {
     if (tube->lost == 0)
         return true;
     return crt_fail(err,
-                    "out of memory: the light of %llu strokes was lost; draw less in a refresh",
+                    "out of memory: the light of %llu strokes or scan lines was lost; draw less in "
+                    "a refresh",
                     (unsigned long long)tube->lost);
 }
 
@@ -192,8 +221,7 @@ static void drop_complete(struct crt_tube *tube)
     }
 }
 
-/* Feeds films, and at the end of an epoch planes with the last of them. */
-static void feed_films(struct crt_tube *tube, bool commit)
+void crt_tube_feed(struct crt_tube *tube, bool commit, int late)
 {
     struct crt_feed feeds[CRT_PASS_FILMS];
     int count = 0;
@@ -205,20 +233,25 @@ static void feed_films(struct crt_tube *tube, bool commit)
             count = 0;
         }
     }
-    if (count > 0 || commit)
-        crt_pass_run(tube, feeds, count, commit);
+    if (commit)
+        crt_pass_run_late(tube, feeds, count, late);
+    else if (count > 0)
+        crt_pass_run(tube, feeds, count, false);
     drop_complete(tube);
 }
 
 static void end_epoch(struct crt_tube *tube)
 {
-    feed_films(tube, true);
+    crt_tube_feed(tube, true, tube->planes.count);
     uint64_t keep_from = tube->end > tube->keep ? tube->end - tube->keep : 0;
-    if (!crt_journal_turn(&tube->journal, tube->end, tube->keep ? keep_from : UINT64_MAX))
+    keep_from = tube->keep ? keep_from : UINT64_MAX;
+    if (!crt_journal_turn(&tube->journal, tube->end, keep_from))
+        tube->lost++;
+    if (!crt_lines_turn(&tube->lines, tube->end, keep_from))
         tube->lost++;
     tube->planes.epoch++;
     tube->begin = tube->end;
-    tube->end = crt_tick_time(tube->desc.epoch, tube->planes.epoch + 1);
+    tube->end = crt_tube_epoch_time(tube, tube->planes.epoch + 1);
 }
 
 /* Epochs in which nothing is drawn and nothing exposed only move the clock; planes age when
@@ -228,15 +261,18 @@ static void skip_epochs(struct crt_tube *tube)
     uint64_t until = tube->now;
     if (tube->journal.now.count > 0 && tube->journal.now.at[0].stroke.t0 < until)
         until = tube->journal.now.at[0].stroke.t0;
+    if (tube->lines.now.count > 0 && tube->lines.now.at[0].t0 < until)
+        until = tube->lines.now.at[0].t0;
     for (const struct crt_film *film = tube->films; film; film = film->next)
         until = film->t0 < until ? film->t0 : until;
-    uint64_t epoch = crt_tick_at(tube->desc.epoch, until);
+    uint64_t epoch = crt_tube_epoch_at(tube, until);
     if (epoch < tube->planes.epoch + 2)
         return;
     tube->journal.before.count = 0;
+    crt_line_list_clear(&tube->lines.before);
     tube->planes.epoch = epoch;
-    tube->begin = crt_tick_time(tube->desc.epoch, epoch);
-    tube->end = crt_tick_time(tube->desc.epoch, epoch + 1);
+    tube->begin = crt_tube_epoch_time(tube, epoch);
+    tube->end = crt_tube_epoch_time(tube, epoch + 1);
 }
 
 void crt_tube_advance(struct crt_tube *tube, uint64_t now)
@@ -248,5 +284,5 @@ void crt_tube_advance(struct crt_tube *tube, uint64_t now)
         end_epoch(tube);
         skip_epochs(tube);
     }
-    feed_films(tube, false);
+    crt_tube_feed(tube, false, tube->planes.count);
 }

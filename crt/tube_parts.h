@@ -7,6 +7,8 @@
 
 #include "crt/footprint.h"
 #include "crt/journal.h"
+#include "crt/lines.h"
+#include "crt/line_pass.h"
 #include "crt/pass.h"
 #include "crt/planes.h"
 #include "crt/pool.h"
@@ -19,20 +21,33 @@ struct crt_tube {
     const struct crt_kernels *kernels;
     struct crt_planes planes;
     struct crt_journal journal;
+    struct crt_lines lines;  /* raster tubes: the journal of scan lines */
     struct crt_reuse *reuse; /* NULL: none */
     struct crt_pool *pool;   /* NULL: one thread */
     struct crt_pass *pass;
-    struct crt_film *films; /* open */
-    uint64_t begin, end;    /* of the running epoch, planes.epoch */
+    struct crt_line_pass *line_pass; /* NULL: vector tubes */
+    struct crt_film *films;          /* open */
+    uint64_t begin, end;             /* of the running epoch, planes.epoch */
+    uint64_t origin, first; /* epoch number `first` began at `origin`, whence epochs are counted */
     uint64_t now;           /* of the last advance */
     uint64_t last_start;    /* t0 of the last stroke */
     uint64_t strokes;
-    uint64_t lost;    /* strokes for which there was no memory */
+    uint64_t lost;    /* strokes or lines for which there was no memory */
     uint64_t keep;    /* ps for which quick terms glow after a stroke; 0: all terms have planes */
     uint32_t quick;   /* bit per term without a plane */
     float spot_drive; /* the drive `spot` is for */
     bool spot_valid;
     struct crt_spot spot;
 };
+
+/* Notes which terms have no plane, and how long the journal must remember for them. */
+void crt_tube_note_quick(struct crt_tube *tube);
+/* Feeds films, and at the end of an epoch planes with the last of them; planes from `late` on are
+ * new. */
+void crt_tube_feed(struct crt_tube *tube, bool commit, int late);
+
+/* When epoch n began, n not before the last crt_tube_set_epoch; and which epoch is at t. */
+uint64_t crt_tube_epoch_time(const struct crt_tube *tube, uint64_t n);
+uint64_t crt_tube_epoch_at(const struct crt_tube *tube, uint64_t t);
 
 #endif

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "crt/line_state.h"
 #include "crt/plan.h"
 #include "crt/tube_parts.h"
 
@@ -221,11 +222,11 @@ static void time_state(struct crt_tube *tube, struct crt_state *s)
     if (!crt_state_check(s, tube->now < CRT_STATE_LATEST && tube->last_start < CRT_STATE_LATEST,
                          "time"))
         tube->now = tube->last_start = 0;
-    uint64_t epoch = crt_tick_at(tube->desc.epoch, tube->now);
+    uint64_t epoch = crt_tube_epoch_at(tube, tube->now);
     assert(s->loading || epoch == tube->planes.epoch);
     tube->planes.epoch = epoch;
-    tube->begin = crt_tick_time(tube->desc.epoch, epoch);
-    tube->end = crt_tick_time(tube->desc.epoch, epoch + 1);
+    tube->begin = crt_tube_epoch_time(tube, epoch);
+    tube->end = crt_tube_epoch_time(tube, epoch + 1);
 }
 
 void crt_tube_state(struct crt_tube *tube, struct crt_state *s)
@@ -234,12 +235,16 @@ void crt_tube_state(struct crt_tube *tube, struct crt_state *s)
         crt_tube_cancel_films(tube);
     crt_state_begin(s, "TUBE", VERSION);
     grid_state(&tube->desc.grid, s);
+    if (tube->line_pass)
+        crt_line_timing_state(tube, s);
     time_state(tube, s);
     knobs_state(tube, s);
     planes_state(&tube->planes, s);
     struct limits limits = limits_of(tube);
     entries_state(&tube->journal.before, &limits, true, s);
     entries_state(&tube->journal.now, &limits, false, s);
+    if (tube->line_pass)
+        crt_lines_state(tube, s);
     crt_state_end(s);
 }
 

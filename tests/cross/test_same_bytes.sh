@@ -59,7 +59,11 @@ compile() { # COMPILER...: its objects, then both programs
     done
     # shellcheck disable=SC2086
     case $("$@" -dumpmachine) in
-    x86_64*) "$@" $flags -mavx2 -c -o "$out/objects/avx2.o" crt/footprint_avx2.c || return 1 ;;
+    x86_64*)
+        for kernels in footprint line; do
+            "$@" $flags -mavx2 -c -o "$out/objects/${kernels}_avx2.o" crt/${kernels}_avx2.c || return 1
+        done
+        ;;
     esac
     objects=$(find "$out/objects" -name '*.o' ! -path '*/cross/*' | sort)
     for main in film_bytes trace_bytes; do

@@ -1,0 +1,253 @@
+/* Rows of lines to rows of cells, band by band. */
+#include "crt/line_parts.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define ANCHORS (CRT_LINE_TILE / CRT_LINE_ANCHOR + 1) /* of a tile */
+
+static double row_mm(const struct crt_grid *grid, int row)
+{
+    return grid->top_mm - (row + 0.5) * grid->cell_mm;
+}
+
+/* Rows of lines that may reach cells' rows [lo, hi). */
+static void lines_near(const struct crt_line_pass *pass, int lo, int hi, size_t *first, size_t *end)
+{
+    double top = row_mm(&pass->grid, lo) + pass->reach_mm;
+    double bottom = row_mm(&pass->grid, hi - 1) - pass->reach_mm;
+    size_t a = 0, b = pass->rows;
+    while (a < b) {
+        size_t middle = a + (b - a) / 2;
+        if ((double)pass->row[middle].y > top)
+            a = middle + 1;
+        else
+            b = middle;
+    }
+    *first = a;
+    while (a < pass->rows && (double)pass->row[a].y >= bottom)
+        a++;
+    *end = a;
+}
+
+static bool grow_to(void *list, size_t *room, size_t count, size_t size)
+{
+    void *old, *made;
+    if (*room >= count)
+        return true;
+    memcpy(&old, list, sizeof old);
+    free(old);
+    made = malloc(count * size);
+    memcpy(list, &made, sizeof made);
+    *room = made ? count : 0;
+    return made != NULL;
+}
+
+/* The most lines that a band of any height as passes use can see. */
+bool crt_line_bands_prepare(struct crt_line_pass *pass)
+{
+    const int step = CRT_TILE_ROWS;
+    size_t most = 0;
+    for (int row = 0; row < pass->grid.rows; row += step) {
+        size_t first, end;
+        lines_near(pass, row, row + step < pass->grid.rows ? row + step : pass->grid.rows, &first,
+                   &end);
+        most = end - first > most ? end - first : most;
+    }
+    size_t sets = (size_t)pass->beams.sets;
+    for (int i = 0; i < pass->workers; i++) {
+        struct crt_line_worker *w = &pass->worker[i];
+        if (!grow_to(&w->lines, &w->lines_room, CRT_LINE_TOGETHER * most * sets * CRT_LINE_TILE,
+                     sizeof(float)) ||
+            !grow_to(&w->weights, &w->weights_room, most * sets * ANCHORS, sizeof(float)) ||
+            !grow_to(&w->pointers, &w->pointers_room, (CRT_LINE_TOGETHER + 1) * most * sets,
+                     sizeof(float *)))
+            return false;
+    }
+    return true;
+}
+
+/* What a band's work on a tile of columns is about. */
+struct working {
+    const struct crt_line_pass *pass;
+    struct crt_line_worker *worker;
+    int lo, hi, col, cols; /* rows and columns of cells */
+    size_t first, end;     /* rows of lines */
+    int gun;
+    int target[CRT_LINE_TOGETHER], targets;
+};
+
+static float *line_at(const struct working *w, int target, size_t row, int set)
+{
+    size_t rows = w->end - w->first, sets = (size_t)w->pass->beams.sets;
+    return w->worker->lines +
+           (((size_t)target * rows + (row - w->first)) * sets + (size_t)set) * CRT_LINE_TILE;
+}
+
+/* Adds one entry's light to a line of the tile; false: it has none there. */
+static bool combine_entry(const struct working *w, const struct crt_line_entry *e,
+                          const struct crt_line_weight *weight, int set, float *to, bool add)
+{
+    const struct crt_glow *glow = weight->kind == CRT_LINE_OWN ? weight->own : e->line->strip->glow;
+    int lane = weight->kind == CRT_LINE_OWN ? 0 : e->line->lane;
+    if (!glow || !glow->cells[w->gun][set] || glow->scale[w->gun][set][lane] == 0)
+        return false;
+    int from = glow->col0[w->gun] > w->col ? glow->col0[w->gun] : w->col;
+    int end = w->col + w->cols < glow->col1[w->gun] ? w->col + w->cols : glow->col1[w->gun];
+    if (from >= end)
+        return false;
+    if (!add) {
+        memset(to, 0, (size_t)(from - w->col) * sizeof to[0]);
+        memset(to + (end - w->col), 0, (size_t)(w->col + w->cols - end) * sizeof to[0]);
+    }
+    float scale = glow->scale[w->gun][set][lane];
+    const int16_t *cells =
+        glow->cells[w->gun][set] + (size_t)(from - glow->col0[w->gun]) * CRT_STRIP_LINES;
+    w->pass->kernels->combine(cells, lane, end - from,
+                              scale * (weight->w0 + weight->w1 * (float)from), scale * weight->w1,
+                              to + (from - w->col), add);
+    return true;
+}
+
+/* The light of a row of lines in one target along the tile; false: none. */
+static bool combine_row(const struct working *w, int index, size_t row, int set)
+{
+    const struct crt_line_pass *pass = w->pass;
+    float *to = line_at(w, index, row, set);
+    bool lit = false;
+    for (size_t i = pass->row[row].first; i < pass->row[row].end; i++) {
+        const struct crt_line_entry *e = &pass->entry[i];
+        const struct crt_line_weight *weight = &pass->weight[e->weight + (size_t)w->target[index]];
+        if (e->used && weight->kind != CRT_LINE_NONE)
+            lit |= combine_entry(w, e, weight, set, to, lit);
+    }
+    return lit;
+}
+
+/* What part of a line's light, per mm across, falls on a row of cells, at the tile's anchors; false:
+ * nothing. */
+static bool weigh_row(const struct working *w, const struct crt_line_row *row, int set, double y,
+                      float *weights)
+{
+    const struct crt_line_place *place = row->place;
+    const struct crt_optics *o = &w->pass->beams.optics;
+    double own = (double)row->y, more = o->per_mm2 * (own * own - place->y_mm * place->y_mm);
+    double landing = o->way_y[w->gun] * o->converge_edge * more, spread = o->edge * more;
+    double sigma = row->course->spot[set]->sigma_mm;
+    int anchor = w->col / CRT_LINE_ANCHOR;
+    bool any = false;
+    for (int i = 0; i < ANCHORS && (i - 1) * CRT_LINE_ANCHOR < w->cols; i++) {
+        double s = sigma * ((double)place->spread[w->gun][anchor + i] + spread);
+        double d = (y - own - landing - (double)place->landing[w->gun][anchor + i]) / s;
+        weights[i] =
+            (float)(crt_line_profile(d * d) / s * (double)place->amount[w->gun][anchor + i]);
+        any |= weights[i] != 0;
+    }
+    return any;
+}
+
+/* The rows of cells of one gun's targets. */
+static void spread_rows(const struct working *w, const bool *lit)
+{
+    const struct crt_line_pass *pass = w->pass;
+    size_t rows = w->end - w->first;
+    int sets = pass->beams.sets;
+    for (int r = w->lo; r < w->hi; r++) {
+        double y = row_mm(&pass->grid, r);
+        const float **weights = w->worker->pointers;
+        const float **lines = weights + rows * (size_t)sets;
+        for (int t = 0; t < w->targets; t++) {
+            int count = 0;
+            for (size_t k = w->first; k < w->end; k++) {
+                const struct crt_line_row *row = &pass->row[k];
+                if (fabs((double)row->y - y) > row->reach_mm)
+                    continue;
+                for (int set = 0; set < sets; set++) {
+                    size_t slot = (k - w->first) * (size_t)sets + (size_t)set;
+                    if (!lit[(size_t)t * rows * (size_t)sets + slot])
+                        continue;
+                    float *to = w->worker->weights + slot * ANCHORS;
+                    if (!weigh_row(w, row, set, y, to))
+                        continue;
+                    weights[count] = to;
+                    lines[count++] = line_at(w, t, k, set);
+                }
+            }
+            if (count > 0)
+                pass->kernels->spread(lines, weights, count, w->cols,
+                                      pass->target[w->target[t]].cells +
+                                          (size_t)r * (size_t)pass->grid.cols + (size_t)w->col);
+        }
+    }
+}
+
+static void work_targets(const struct working *w)
+{
+    size_t rows = w->end - w->first, sets = (size_t)w->pass->beams.sets;
+    bool *lit = calloc((size_t)w->targets * rows * sets, sizeof *lit);
+    bool any = false;
+    if (!lit)
+        return;
+    for (int t = 0; t < w->targets; t++)
+        for (size_t k = w->first; k < w->end; k++)
+            for (size_t set = 0; set < sets; set++)
+                any |= lit[((size_t)t * rows + (k - w->first)) * sets + set] =
+                    combine_row(w, t, k, (int)set);
+    if (any)
+        spread_rows(w, lit);
+    free(lit);
+}
+
+static void work_tile(struct working *w)
+{
+    const struct crt_line_pass *pass = w->pass;
+    for (w->gun = 0; w->gun < pass->beams.guns; w->gun++) {
+        w->targets = 0;
+        for (int i = 0; i < pass->targets; i++) {
+            if (pass->target[i].gun != w->gun)
+                continue;
+            w->target[w->targets++] = i;
+            if (w->targets == CRT_LINE_TOGETHER) {
+                work_targets(w);
+                w->targets = 0;
+            }
+        }
+        if (w->targets > 0)
+            work_targets(w);
+    }
+}
+
+/* Makes planes ready for the light of the lines. */
+static void touch_planes(const struct working *w, struct crt_planes *planes, uint64_t epoch)
+{
+    const struct crt_line_pass *pass = w->pass;
+    int left = pass->grid.cols, right = 0;
+    for (size_t k = w->first; k < w->end; k++)
+        for (int gun = 0; gun < pass->beams.guns; gun++) {
+            const struct crt_line_place *place = pass->row[k].place;
+            left = place->col0[gun] < left ? place->col0[gun] : left;
+            right = place->col1[gun] > right ? place->col1[gun] : right;
+        }
+    if (left < right)
+        crt_planes_touch(planes, w->lo, w->hi, left, right - 1, epoch);
+}
+
+void crt_line_pass_band(const struct crt_line_pass *pass, int lo, int hi, int worker,
+                        struct crt_planes *planes, uint64_t epoch)
+{
+    for (int row = lo; row < hi; row += CRT_TILE_ROWS) {
+        struct working w = {.pass = pass, .worker = &pass->worker[worker], .lo = row};
+        w.hi = row + CRT_TILE_ROWS < hi ? row + CRT_TILE_ROWS : hi;
+        lines_near(pass, w.lo, w.hi, &w.first, &w.end);
+        if (w.first == w.end)
+            continue;
+        if (pass->planes > 0)
+            touch_planes(&w, planes, epoch);
+        for (w.col = 0; w.col < pass->grid.cols; w.col += CRT_LINE_TILE) {
+            int left = pass->grid.cols - w.col;
+            w.cols = left < CRT_LINE_TILE ? left : CRT_LINE_TILE;
+            work_tile(&w);
+        }
+    }
+}
