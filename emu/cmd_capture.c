@@ -171,6 +171,8 @@ static void furnish(struct vm_capture *c, const struct vm_lights *lights)
                                    .lights = *lights,
                                    .settings = &c->settings};
     vm_picture_sizes(&c->settings, c->view, c->o.size, c->studio.size);
+    if (c->o.closeup)
+        vm_light_microscope(&c->o.light, &c->settings, &c->studio.lights);
     c->film_studio = c->studio;
     c->film_studio.film = true;
 }
