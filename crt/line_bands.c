@@ -45,7 +45,7 @@ static bool grow_to(void *list, size_t *room, size_t count, size_t size)
 /* The most lines that a band of any height as passes use can see. */
 bool crt_line_bands_prepare(struct crt_line_pass *pass)
 {
-    const int step = CRT_TILE_ROWS;
+    const int step = CRT_LINE_STEP;
     size_t most = 0;
     for (int row = 0; row < pass->grid.rows; row += step) {
         size_t first, end;
@@ -136,13 +136,14 @@ static void place_across(const struct working *w, const struct crt_line_row *row
     double sigma = row->course->spot[set]->sigma_mm, area = w->pass->area;
     double y = own + landing - row_mm(&w->pass->grid, w->lo);
     int anchor = w->col / CRT_LINE_ANCHOR, last = w->pass->grid.cols / CRT_LINE_ANCHOR + 1;
+    struct crt_line_across band;
     for (int i = 0; i < CRT_LINE_ANCHORS; i++) {
         int at = anchor + i < last ? anchor + i : last;
-        double s = sigma * ((double)place->spread[w->gun][at] + spread);
-        across->at[i] = (float)(y + (double)place->landing[w->gun][at]);
-        across->narrow[i] = (float)(1 / s);
-        across->amount[i] = (float)((double)place->amount[w->gun][at] / (s * area));
+        band.at[i] = place->landing[w->gun][at];
+        band.narrow[i] = place->spread[w->gun][at];
+        band.amount[i] = place->amount[w->gun][at];
     }
+    w->pass->kernels->place(across, &band, (float)y, (float)sigma, (float)spread, (float)(1 / area));
 }
 
 /* Further off than this a set's light does not reach, mm. */
@@ -256,9 +257,9 @@ static void touch_planes(const struct working *w, struct crt_planes *planes, uin
 void crt_line_pass_band(const struct crt_line_pass *pass, int lo, int hi, int worker,
                         struct crt_planes *planes, uint64_t epoch)
 {
-    for (int row = lo; row < hi; row += CRT_TILE_ROWS) {
+    for (int row = lo; row < hi; row += CRT_LINE_STEP) {
         struct working w = {.pass = pass, .worker = &pass->worker[worker], .lo = row};
-        w.hi = row + CRT_TILE_ROWS < hi ? row + CRT_TILE_ROWS : hi;
+        w.hi = row + CRT_LINE_STEP < hi ? row + CRT_LINE_STEP : hi;
         lines_near(pass, w.lo, w.hi, &w.first, &w.end);
         if (w.first == w.end)
             continue;

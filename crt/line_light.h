@@ -55,6 +55,10 @@ struct crt_line_kernels {
                   const int32_t *stream, int col0, int col1, int16_t *cells);
     /* to = or += (w0 + w1·i)·cells, i = 0 … count − 1, count in eights. */
     void (*combine)(const int16_t *cells, int count, float w0, float w1, float *to, bool add);
+    /* A line `y` mm off, from how its band lies (there narrow is the spread of the spot), of a spot of
+     * `sigma` mm, wider by `wider`. */
+    void (*place)(struct crt_line_across *line, const struct crt_line_across *band, float y,
+                  float sigma, float wider, float amount);
     /* Weights of a line in the row of cells at y, for the anchors of a tile. */
     void (*weigh)(const struct crt_line_across *line, float y, float *weights);
     /* Adds lines, each times its weight, to a row of cells, cols in eights. Weights are straight lines

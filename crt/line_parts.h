@@ -12,6 +12,8 @@
 
 #include "crt/line_pass.h"
 
+/* Rows of cells, of one band, worked on together. */
+#define CRT_LINE_STEP 64
 /* Targets of one gun worked on together. */
 #define CRT_LINE_TOGETHER 4
 

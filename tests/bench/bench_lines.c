@@ -11,8 +11,8 @@
 #include "tests/support/tube_model.h"
 
 #define PICTURES 4
-#define BLOCK    10 /* fields timed together */
-#define ROUNDS   2
+#define BLOCK    4 /* fields timed together */
+#define ROUNDS   12
 
 struct mode {
     int dots, lines, total, fields; /* total: dots of a line with its retrace; fields: lines of a field */
