@@ -449,18 +449,11 @@ static void set_amplifier(const struct crt_line_beams *beams, struct crt_line_be
     b->table[1] = beams->table[1];
 }
 
-static bool same_way(const struct crt_line_way *a, const struct crt_line_way *b)
-{
-    return a->x0 == b->x0 && a->x1 == b->x1 && a->dots == b->dots && a->lit == b->lit &&
-           a->knobs.brightness == b->knobs.brightness && a->knobs.contrast == b->knobs.contrast &&
-           a->knobs.focus == b->knobs.focus;
-}
-
 struct crt_line_beam *crt_line_beam_find(struct crt_line_beams *beams,
                                          const struct crt_line_way *way)
 {
     for (size_t i = 0; i < beams->beams; i++)
-        if (same_way(&beams->beam[i]->way, way)) {
+        if (crt_line_same_way(&beams->beam[i]->way, way)) {
             beams->beam[i]->used = beams->beam[i]->course->used = beams->turn;
             return beams->beam[i];
         }
