@@ -144,7 +144,8 @@ static void place_across(const struct working *w, const struct crt_line_row *row
         band.narrow[i] = place->spread[w->gun][at];
         band.amount[i] = place->amount[w->gun][at];
     }
-    w->pass->kernels->place(across, &band, (float)y, (float)sigma, (float)spread, (float)(1 / area));
+    w->pass->kernels->place(across, &band, (float)y, (float)sigma, (float)spread,
+                            (float)(1 / area));
 }
 
 /* Further off than this a set's light does not reach, mm. */
@@ -192,8 +193,7 @@ static void spread_row(const struct working *w, int r, int t, int near)
         if (!w->worker->lit[(size_t)t * all + slot])
             continue;
         weights[count] = w->worker->weights + slot * CRT_LINE_ANCHORS;
-        lines[count++] =
-            line_at(w, t, w->first + slot / (size_t)sets, (int)(slot % (size_t)sets));
+        lines[count++] = line_at(w, t, w->first + slot / (size_t)sets, (int)(slot % (size_t)sets));
     }
     if (count > 0)
         pass->kernels->spread(lines, weights, count, w->cols, pass->even, target->fresh, cells);
@@ -211,8 +211,7 @@ static void work_targets(const struct working *w)
             for (size_t set = 0; set < sets; set++)
                 *lit++ = combine_row(w, t, k, (int)set);
     for (size_t k = 0; k < rows * sets; k++)
-        place_across(w, &w->pass->row[w->first + k / sets], (int)(k % sets),
-                     &w->worker->across[k]);
+        place_across(w, &w->pass->row[w->first + k / sets], (int)(k % sets), &w->worker->across[k]);
     for (int r = w->lo; r < w->hi; r++) {
         int near = weigh_rows(w, r, &first);
         for (int t = 0; t < w->targets; t++)

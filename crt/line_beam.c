@@ -145,6 +145,10 @@ static bool make_level(struct crt_line_spot *spot, int index)
     double sigma = spot->sigma_dots * crt_exp((index - CRT_LEVEL_BASE) / CRT_LEVEL_STEPS);
     level->reach = (int)floor(CRT_LINE_CUT * sigma + 0.5);
     level->pairs = level->reach + 1;
+    if (level->pairs < 4) { /* what kernels are made for */
+        level->reach = 3;
+        level->pairs = 4;
+    }
     level->stride = (level->pairs * 6 + 15) / 16 * 16;
     int phases = (1 << spot->phase_bits) + 1;
     level->kernel = calloc((size_t)phases * (size_t)level->stride, sizeof level->kernel[0]);

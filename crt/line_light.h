@@ -39,8 +39,9 @@ struct crt_line_source {
 };
 
 /* Columns that are worked on together: the lines of a band stay in the cache. */
-#define CRT_LINE_TILE    512
-#define CRT_LINE_ANCHORS (CRT_LINE_TILE / CRT_LINE_ANCHOR + CRT_STRIP_LINES) /* one more than needed, in eights */
+#define CRT_LINE_TILE 512
+#define CRT_LINE_ANCHORS                                                                           \
+    (CRT_LINE_TILE / CRT_LINE_ANCHOR + CRT_STRIP_LINES) /* one more than needed, in eights */
 
 /* A line across, at the anchors of a tile: where it lies, the inverse of sigma, and its light. */
 struct crt_line_across {

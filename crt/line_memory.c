@@ -49,8 +49,8 @@ static bool looks_the_same(const struct crt_strip *a, const struct crt_strip *b,
         memcmp(a->y, b->y, lines * sizeof a->y[0]) != 0)
         return false;
     for (size_t gun = 0; gun < (size_t)guns; gun++)
-        if (memcmp(a->drive + gun * CRT_STRIP_LINES * dots,
-                   b->drive + gun * CRT_STRIP_LINES * dots, lines * dots) != 0)
+        if (memcmp(a->drive + gun * CRT_STRIP_LINES * dots, b->drive + gun * CRT_STRIP_LINES * dots,
+                   lines * dots) != 0)
             return false;
     return true;
 }

@@ -88,8 +88,8 @@ struct crt_line_pass {
     struct crt_line_worker *worker;
     int workers;
     struct crt_strip_memory *memory; /* NULL: none */
-    bool even;   /* nothing varies over the screen */
-    double area; /* crt_line_area() */
+    bool even;                       /* nothing varies over the screen */
+    double area;                     /* crt_line_area() */
     /* the running pass */
     struct crt_line_target target[CRT_MAX_TARGETS];
     int targets, planes; /* planes come first */

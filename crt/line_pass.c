@@ -10,8 +10,7 @@
 struct crt_line_pass *crt_line_pass_create(const struct crt_tube_row *row,
                                            const struct crt_phosphor *phosphor,
                                            const struct crt_grid *grid, int workers,
-                                           enum crt_simd simd, bool reuse,
-                                           struct crt_error *err)
+                                           enum crt_simd simd, bool reuse, struct crt_error *err)
 {
     struct crt_line_pass *pass = calloc(1, sizeof *pass);
     if (pass)

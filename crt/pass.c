@@ -293,8 +293,8 @@ static bool plan_lines(struct crt_pass *pass, uint64_t end)
     pass->receivers = pass->planes;
     add_films(pass, UINT32_MAX);
     for (int i = 0; i < pass->receivers; i++)
-        target[i] = (struct crt_line_target){pass->receiver[i].cells, gun_of(pass, i),
-                                             is_fresh(pass, i)};
+        target[i] =
+            (struct crt_line_target){pass->receiver[i].cells, gun_of(pass, i), is_fresh(pass, i)};
     crt_line_pass_begin(tube->line_pass, target, pass->receivers, pass->planes);
     return crt_line_pass_add(tube->line_pass, &tube->lines.before, pass->earlier, late, earlier, 0,
                              tube->begin) &&
