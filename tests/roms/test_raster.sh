@@ -59,7 +59,7 @@ done
 [ "$(cat "$work"/key.* | sort -u | wc -l)" = 11 ]
 report $? "pattern: eleven keys, eleven pictures"
 for mode in 640x350@85 800x600@75 1280x1024@60; do
-    film "mode" roms/pattern.elf --tube GRILLE17 --mode $mode --at 0.3s
+    film "mode" roms/pattern.elf --tube GRILLE17 --mode $mode --at 0.5s
     report $? "pattern: in $mode"
 done
 # Half of the rows white, or all of them at the level of 1/2.4: the same light on a tube of 2.4.
