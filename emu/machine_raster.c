@@ -70,9 +70,9 @@ void vm_raster_init(struct vm_machine *m)
 
 void vm_raster_hook(struct vm_machine *m, bool hooked)
 {
-    m->raster.hooks = (struct ras_hooks){0};
-    if (hooked && m->hooks.raster)
-        m->raster.hooks = *m->hooks.raster;
+    static const struct ras_hooks none = {0};
+    if (m->desc.buffer)
+        ras_head_hook(&m->raster, hooked && m->hooks.raster ? m->hooks.raster : &none, m->now);
 }
 
 /* ---- time ---------------------------------------------------------------------------------------
@@ -120,7 +120,7 @@ static bool lut_read(void *ctx, uint32_t offset, unsigned width, uint32_t *value
 {
     const struct vm_machine *m = ctx;
     (void)width;
-    *value = m->raster.lut[offset / 4];
+    *value = ras_head_lut_read(&m->raster, offset / 4);
     return true;
 }
 
@@ -128,7 +128,7 @@ static bool lut_write(void *ctx, uint32_t offset, unsigned width, uint32_t value
 {
     struct vm_machine *m = ctx;
     (void)width;
-    m->raster.lut[offset / 4] = value & 0xFFFFFF;
+    ras_head_lut_write(&m->raster, offset / 4, value);
     return true;
 }
 

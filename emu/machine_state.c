@@ -160,13 +160,11 @@ static bool sane_raster(const struct vm_machine *m)
         return true;
     if (vm_raster_next(m) < m->now)
         return false;
-    for (int i = 0; i < RAS_INT_COUNT; i++) {
-        static const uint32_t bit[] = {VIDEO_STATUS_RETRACE, VIDEO_STATUS_COMPARE};
-        static const unsigned line[] = {IRQ_LINE_RETRACE, IRQ_LINE_COMPARE};
-        bool level = m->raster.status & m->raster.irq_enable & bit[i];
-        if ((m->desc.board->irq.pending >> line[i] & 1) != level)
+    static const unsigned line[RAS_INT_COUNT] = {IRQ_LINE_RETRACE, IRQ_LINE_COMPARE};
+    for (int i = 0; i < RAS_INT_COUNT; i++)
+        if ((m->desc.board->irq.pending >> line[i] & 1) !=
+            ras_head_interrupt(&m->raster, (enum ras_interrupt)i))
             return false;
-    }
     return !m->desc.raster_tube || crt_tube_times(m->desc.raster_tube).now == m->now;
 }
 

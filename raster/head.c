@@ -114,6 +114,7 @@ void ras_head_init(struct ras_head *head, const struct ras_head_desc *desc)
     assert(desc->width_mm > 0 && desc->height_mm > 0 && desc->border_mm >= 0);
     assert(isfinite(desc->width_mm + desc->height_mm + desc->border_mm));
     assert(ras_timing_check(&desc->timing, &err));
+    assert(ras_monitor_follows(&desc->monitor, &desc->timing, "", &err));
     (void)err;
     *head = (struct ras_head){.desc = *desc};
     ras_head_reset(head, 0);

@@ -78,8 +78,9 @@ struct ras_latch {
 
 /* The running timing worked out; private. Dots, but for rows. */
 struct ras_sweep {
-    int64_t line, unit,
-        field; /* a line; from the beginning of a row to that of the next; a field */
+    int64_t line;                 /* a line */
+    int64_t unit;                 /* from the beginning of a row to that of the next */
+    int64_t field;                /* a field */
     int64_t sync_begin, sync_end; /* vertical sync, from the beginning of a field */
     int64_t left, right;          /* overscan on either side */
     int64_t step;                 /* rows from line to line: 1, or 2 when interlaced */

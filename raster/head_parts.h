@@ -32,7 +32,7 @@ uint64_t ras_dot_at(const struct ras_head *head, uint64_t t);
 
 /* The row that begins at this dot, within sweep.top … V_TOTAL − 1. */
 int64_t ras_row_at(const struct ras_head *head, uint64_t begin);
-/* Where the first line begins that does so after dot `after` (−1: any) and whose row lies within
+/* Where the first line begins that does so after dot `after` (below 0: any) and whose row lies within
  * first … last; RAS_NEVER when there is none. */
 uint64_t ras_line_after(const struct ras_head *head, int64_t after, int64_t first, int64_t last);
 /* Dot within the period of the first such one after `after`. */

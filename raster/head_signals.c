@@ -7,7 +7,7 @@ enum { PICTURE_END, HSYNC_END, VSYNC_END, HSYNC_BEGIN, VSYNC_BEGIN, PICTURE_BEGI
 static uint64_t picture(const struct ras_head *head, int64_t after, int64_t offset)
 {
     int64_t last = (int64_t)head->timing.v.visible - 1;
-    uint64_t begin = ras_line_after(head, after < offset ? -1 : after - offset, 0, last);
+    uint64_t begin = ras_line_after(head, after - offset, 0, last);
     return begin == RAS_NEVER ? begin : begin + (uint64_t)offset;
 }
 
@@ -70,6 +70,10 @@ void ras_signals_until(struct ras_head *head, uint64_t t)
 void ras_head_hook(struct ras_head *head, const struct ras_hooks *hooks, uint64_t t)
 {
     head->hooks = *hooks;
-    if (head->on)
-        schedule(head, ras_dot_at(head, t), KINDS);
+    if (!head->on)
+        return;
+    if (t > head->origin) /* what happens at t itself is still to be told */
+        schedule(head, ras_dot_at(head, t - 1), KINDS);
+    else
+        schedule(head, 0, 0);
 }

@@ -5,7 +5,9 @@
  *
  * Models:     VESA DMT modes from a table; any other size and rate as libxcvt computes CVT; a TV-like
  *             525/60i mode. Interlaced: vertical figures are lines of the whole frame; total is odd,
- *             so that the second field begins in the middle of a line.
+ *             so that the second field begins in the middle of a line. Half of the front porch, of sync and
+ *             of the back porch less half a line are then what the second field has, in its own lines;
+ *             the first has half a line more before its sync pulse (raster/head.h).
  * Units:      dots, lines, Hz.
  * Sources:    VESA Display Monitor Timing Standard 1.0 rev. 13; VESA CVT by libxcvt; for 525/60i see
  *             mode_table.c.

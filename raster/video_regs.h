@@ -69,8 +69,9 @@
 #define VIDEO_HEIGHT_UM 0x30 /* read */
 
 /* Timing. Each count ends a part of the line or frame: visible, then front porch to SYNC_START, then
- * sync to SYNC_END, then back porch to TOTAL. Interlaced: lines are those of the whole frame, and
- * V_TOTAL is odd. */
+ * sync to SYNC_END, then back porch to TOTAL. Interlaced: lines are those of the whole frame, V_TOTAL is
+ * odd and greater than V_SYNC_END, H_TOTAL is even; in either field rows and sync pulses count in half
+ * lines, the pulse one half line late. */
 #define VIDEO_CLOCK           0x40 /* dot clock, Hz */
 #define VIDEO_H_VISIBLE       0x44
 #define VIDEO_H_SYNC_START    0x48

@@ -10,7 +10,7 @@ static uint32_t bits(const uint8_t *buffer, uint64_t at, uint32_t count)
 {
     uint32_t v = 0;
     for (; count > 0; count--, at++)
-        v = v << 1 | (buffer[at / 8] >> (7 - at % 8) & 1u);
+        v = v << 1 | ((uint32_t)buffer[at / 8] >> (7 - at % 8) & 1);
     return v;
 }
 

@@ -266,12 +266,38 @@ static void changed_bytes(void **state)
     rig_close(one.r);
 }
 
+/* A next event must be one of the timing's, and the first that is due. */
+static void next_event_is_checked(void **state)
+{
+    (void)state;
+    struct walker w = open_walker(2, NULL);
+    ras_head_write(&w.r->head, VIDEO_CONTROL, VIDEO_CONTROL_ON, 0);
+    rig_run(w.r, CRT_PS_PER_MS);
+    const struct ras_head good = w.r->head;
+    for (int n = 0; n < 6; n++) {
+        w.r->head = good;
+        if (n < 3)
+            w.r->head.next_dot += (uint64_t)n - 1; /* n = 1: as it was */
+        else if (n < 5)
+            w.r->head.next_kind = (good.next_kind + (unsigned)n - 2) % 3;
+        else
+            w.r->head.next_dot = UINT64_MAX / 2;
+        struct crt_state s;
+        crt_state_save(&s);
+        ras_head_state(&w.r->head, &s);
+        assert_int_equal(s.failed, n != 1);
+        crt_state_free(&s);
+    }
+    rig_close(w.r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(goes_on_alike),
         cmocka_unit_test(observing_changes_nothing),
         cmocka_unit_test(changed_bytes),
+        cmocka_unit_test(next_event_is_checked),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
