@@ -3,7 +3,7 @@
 #include "roms/bsp/video.h"
 #include "roms/raster/font.h"
 
-enum { MARGIN = 24, HEAD = 96, BAR_PARTS = 6, MARK = 16 }; /* a bar is a sixth of the stage */
+enum { MARGIN = 24, HEAD = 88, BAR_PARTS = 6, MARK = 16 }; /* a bar is a sixth of the stage */
 
 void pageflip_colours(void)
 {
@@ -54,7 +54,8 @@ void pageflip_text(struct pageflip_page *page, bool synced)
     canvas_text(c, x, MARGIN - 4, scale, scale, PAGEFLIP_WHITE, heads[synced]);
     if (small * FONT_WIDTH * 54 > c->width - 2 * x)
         small = 1;
-    canvas_text(c, x, HEAD - FONT_HEIGHT * small - 6, small, small, PAGEFLIP_FRAME, lines[synced]);
+    canvas_text(c, x, MARGIN + FONT_HEIGHT * scale + 4, small, small, PAGEFLIP_FRAME,
+                lines[synced]);
 }
 
 /* What changes in every row alike: stretches of it, in words, that get another colour. */

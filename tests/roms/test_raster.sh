@@ -79,20 +79,20 @@ fi
 
 # ---- palette --------------------------------------------------------------------------------------------
 # In 34 ms, two fields of 640x480@60: no pixel is stored; 240 colours a field, and one for each of the
-# band's 144 rows, in the row before it.
+# band's 124 rows, in the row before it.
 "$KINESCOPE" trace roms/palette.elf --tube SLOT14 --what cpu --from 1s --for 34ms 2>"$work/said" |
     sed -n 's/^cpu \([0-9]*\) .* s[bhw] .* \[\(4[0-9a-f]*\)\]=\(.*\)/\1 \2 \3/p' >"$work/stores"
 ! grep -q ' 42' "$work/stores"
 report $? "palette: no pixel is stored"
-[ "$(grep -c ' 400203e8 ' "$work/stores")" -ge 287 ] && [ "$(grep -c ' 400200' "$work/stores")" -ge 126 ]
+[ "$(grep -c ' 400203e8 ' "$work/stores")" -ge 247 ] && [ "$(grep -c ' 400200' "$work/stores")" -ge 126 ]
 report $? "palette: colours are stored all the time"
 "$KINESCOPE" trace roms/palette.elf --tube SLOT14 --what video --from 1s --for 34ms 2>>"$work/said" |
     sed -n 's/^video \([0-9]*\) row \([0-9]*\) begins$/\1 \2/p' >"$work/rows"
 awk '$2 == "400203e8" { print $1, "store" }' "$work/stores" | sort -s -n -k1,1 - "$work/rows" |
-    awk '$2 == "store" { if (stored[row]++ && row == last) twice++; if (row < 335 || row > 478) bad++
+    awk '$2 == "store" { if (stored[row]++ && row == last) twice++; if (row < 335 || row > 458) bad++
                          n++; last = row; next }
          { row = $2 } END { print n " stores, " bad + 0 " elsewhere, " twice + 0 " twice"
-                            exit !(n >= 287 && !bad && !twice) }' >"$work/said"
+                            exit !(n >= 247 && !bad && !twice) }' >"$work/said"
 report $? "palette: the band's colour is stored once in each row before one of the band"
 
 # ---- interlace ------------------------------------------------------------------------------------------
