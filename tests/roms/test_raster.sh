@@ -47,6 +47,21 @@ else
     skip "on a board without a raster head they say so" "no qemu-system-riscv32"
 fi
 
+# ---- board support --------------------------------------------------------------------------------------
+"$KINESCOPE" run tests/roms/video.elf --tube SLOT14 --headless --console --for 2s >"$work/printed" \
+    2>"$work/said" </dev/null
+report $? "board support: all of it returns"
+tr -d '\r' <"$work/printed" | diff tests/roms/video.txt - >"$work/said"
+report $? "board support: timing, pages, retrace, line compare"
+if command -v qemu-system-riscv32 >/dev/null 2>&1; then
+    timeout 20 qemu-system-riscv32 -M virt -bios none -nographic -cpu rv32,c=false,d=false \
+        -kernel tests/roms/video.elf </dev/null 2>&1 | tr -d '\r' >"$work/said"
+    grep -q '^raster head: no, 0 by 0 um$' "$work/said" && grep -q '^off again: 0$' "$work/said"
+    report $? "board support: without a raster head all of it returns"
+else
+    skip "board support: without a raster head all of it returns" "no qemu-system-riscv32"
+fi
+
 # ---- pattern --------------------------------------------------------------------------------------------
 for n in 15 30; do
     film "still.$n" roms/pattern.elf --tube SLOT14 --when refresh:$n
