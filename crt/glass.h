@@ -91,6 +91,9 @@ struct crt_glass_part {
 void crt_glass_draw_part(struct crt_glass *glass, const struct crt_glass_settings *settings,
                          unsigned fbo, const struct crt_glass_part *part);
 
+/* All of `fbo` black, before the parts. */
+void crt_glass_clear(struct crt_glass *glass, unsigned fbo, int width, int height);
+
 /* The overlay alone, over whatever `fbo` shows. */
 void crt_glass_draw_overlay(struct crt_glass *glass, unsigned fbo, int width, int height);
 

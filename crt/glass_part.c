@@ -25,6 +25,15 @@ void crt_glass_draw_part(struct crt_glass *glass, const struct crt_glass_setting
     gl->DeleteFramebuffers(1, &aside);
 }
 
+void crt_glass_clear(struct crt_glass *glass, unsigned fbo, int width, int height)
+{
+    const struct crt_gl *gl = &glass->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, fbo);
+    gl->Viewport(0, 0, width, height);
+    gl->ClearColor(0, 0, 0, 1);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
+}
+
 void crt_glass_draw_overlay(struct crt_glass *glass, unsigned fbo, int width, int height)
 {
     const struct crt_glass_tile whole = {0, 0, width, height, width, height, false, false};

@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define ANCHORS (CRT_LINE_TILE / CRT_LINE_ANCHOR + 1) /* of a tile */
-
 static double row_mm(const struct crt_grid *grid, int row)
 {
     return grid->top_mm - (row + 0.5) * grid->cell_mm;
@@ -47,7 +45,7 @@ static bool grow_to(void *list, size_t *room, size_t count, size_t size)
 /* The most lines that a band of any height as passes use can see. */
 bool crt_line_bands_prepare(struct crt_line_pass *pass)
 {
-    const int step = CRT_TILE_ROWS;
+    const int step = CRT_LINE_STEP;
     size_t most = 0;
     for (int row = 0; row < pass->grid.rows; row += step) {
         size_t first, end;
@@ -60,9 +58,11 @@ bool crt_line_bands_prepare(struct crt_line_pass *pass)
         struct crt_line_worker *w = &pass->worker[i];
         if (!grow_to(&w->lines, &w->lines_room, CRT_LINE_TOGETHER * most * sets * CRT_LINE_TILE,
                      sizeof(float)) ||
-            !grow_to(&w->weights, &w->weights_room, most * sets * ANCHORS, sizeof(float)) ||
-            !grow_to(&w->pointers, &w->pointers_room, (CRT_LINE_TOGETHER + 1) * most * sets,
-                     sizeof(float *)))
+            !grow_to(&w->across, &w->across_room, most * sets, sizeof w->across[0]) ||
+            !grow_to(&w->weights, &w->weights_room, most * sets * CRT_LINE_ANCHORS,
+                     sizeof(float)) ||
+            !grow_to(&w->slots, &w->slots_room, most * sets, sizeof(int)) ||
+            !grow_to(&w->pointers, &w->pointers_room, 2 * most * sets, sizeof(float *)))
             return false;
     }
     return true;
@@ -102,11 +102,11 @@ static bool combine_entry(const struct working *w, const struct crt_line_entry *
         memset(to + (end - w->col), 0, (size_t)(w->col + w->cols - end) * sizeof to[0]);
     }
     float scale = glow->scale[w->gun][set][lane];
+    size_t columns = (size_t)(glow->col1[w->gun] - glow->col0[w->gun]);
     const int16_t *cells =
-        glow->cells[w->gun][set] + (size_t)(from - glow->col0[w->gun]) * CRT_STRIP_LINES;
-    w->pass->kernels->combine(cells, lane, end - from,
-                              scale * (weight->w0 + weight->w1 * (float)from), scale * weight->w1,
-                              to + (from - w->col), add);
+        glow->cells[w->gun][set] + (size_t)lane * columns + (from - glow->col0[w->gun]);
+    w->pass->kernels->combine(cells, end - from, scale * (weight->w0 + weight->w1 * (float)from),
+                              scale * weight->w1, to + (from - w->col), add);
     return true;
 }
 
@@ -125,57 +125,78 @@ static bool combine_row(const struct working *w, int index, size_t row, int set)
     return lit;
 }
 
-/* What part of a line's light, per mm across, falls on a row of cells, at the tile's anchors; false:
- * nothing. */
-static bool weigh_row(const struct working *w, const struct crt_line_row *row, int set, double y,
-                      float *weights)
+/* Where a row of lines lies at the tile's anchors, from the first row of cells on. */
+static void place_across(const struct working *w, const struct crt_line_row *row, int set,
+                         struct crt_line_across *across)
 {
     const struct crt_line_place *place = row->place;
     const struct crt_optics *o = &w->pass->beams.optics;
     double own = (double)row->y, more = o->per_mm2 * (own * own - place->y_mm * place->y_mm);
     double landing = o->way_y[w->gun] * o->converge_edge * more, spread = o->edge * more;
-    double sigma = row->course->spot[set]->sigma_mm;
-    int anchor = w->col / CRT_LINE_ANCHOR;
-    bool any = false;
-    for (int i = 0; i < ANCHORS && (i - 1) * CRT_LINE_ANCHOR < w->cols; i++) {
-        double s = sigma * ((double)place->spread[w->gun][anchor + i] + spread);
-        double d = (y - own - landing - (double)place->landing[w->gun][anchor + i]) / s;
-        weights[i] =
-            (float)(crt_line_profile(d * d) / s * (double)place->amount[w->gun][anchor + i]);
-        any |= weights[i] != 0;
+    double sigma = row->course->spot[set]->sigma_mm, area = w->pass->area;
+    double y = own + landing - row_mm(&w->pass->grid, w->lo);
+    int anchor = w->col / CRT_LINE_ANCHOR, last = w->pass->grid.cols / CRT_LINE_ANCHOR + 1;
+    struct crt_line_across band;
+    for (int i = 0; i < CRT_LINE_ANCHORS; i++) {
+        int at = anchor + i < last ? anchor + i : last;
+        band.at[i] = place->landing[w->gun][at];
+        band.narrow[i] = place->spread[w->gun][at];
+        band.amount[i] = place->amount[w->gun][at];
     }
-    return any;
+    w->pass->kernels->place(across, &band, (float)y, (float)sigma, (float)spread, (float)(1 / area));
+}
+
+/* Further off than this a set's light does not reach, mm. */
+static double reach_of(const struct crt_line_row *row, int set, int sets)
+{
+    const struct crt_line_course *c = row->course;
+    double less = c->spot[sets - 1]->sigma_mm - c->spot[set]->sigma_mm;
+    return row->reach_mm - CRT_LINE_CUT * row->place->most_spread * less;
+}
+
+/* Slots of rows of lines and sets that reach a row of cells, and their weights there. */
+static int weigh_rows(const struct working *w, int r, int slots[])
+{
+    const struct crt_line_pass *pass = w->pass;
+    const int sets = pass->beams.sets;
+    double y = row_mm(&pass->grid, r), below = -(r - w->lo) * pass->grid.cell_mm;
+    int count = 0;
+    for (size_t k = w->first; k < w->end; k++)
+        for (int set = 0; set < sets; set++) {
+            int slot = (int)(k - w->first) * sets + set;
+            if (fabs((double)pass->row[k].y - y) > reach_of(&pass->row[k], set, sets))
+                continue;
+            pass->kernels->weigh(&w->worker->across[slot], (float)below,
+                                 w->worker->weights + (size_t)slot * CRT_LINE_ANCHORS);
+            slots[count++] = slot;
+        }
+    return count;
 }
 
 /* The rows of cells of one gun's targets. */
 static void spread_rows(const struct working *w, const bool *lit)
 {
     const struct crt_line_pass *pass = w->pass;
-    size_t rows = w->end - w->first;
-    int sets = pass->beams.sets;
+    const int sets = pass->beams.sets;
+    size_t rows = w->end - w->first, all = rows * (size_t)sets;
+    const float **weights = w->worker->pointers, **lines = weights + all;
+    int *slots = w->worker->slots;
+    for (size_t k = 0; k < all; k++)
+        place_across(w, &pass->row[w->first + k / (size_t)sets], (int)(k % (size_t)sets),
+                     &w->worker->across[k]);
     for (int r = w->lo; r < w->hi; r++) {
-        double y = row_mm(&pass->grid, r);
-        const float **weights = w->worker->pointers;
-        const float **lines = weights + rows * (size_t)sets;
+        int near = weigh_rows(w, r, slots);
         for (int t = 0; t < w->targets; t++) {
             int count = 0;
-            for (size_t k = w->first; k < w->end; k++) {
-                const struct crt_line_row *row = &pass->row[k];
-                if (fabs((double)row->y - y) > row->reach_mm)
+            for (int i = 0; i < near; i++) {
+                if (!lit[(size_t)t * all + (size_t)slots[i]])
                     continue;
-                for (int set = 0; set < sets; set++) {
-                    size_t slot = (k - w->first) * (size_t)sets + (size_t)set;
-                    if (!lit[(size_t)t * rows * (size_t)sets + slot])
-                        continue;
-                    float *to = w->worker->weights + slot * ANCHORS;
-                    if (!weigh_row(w, row, set, y, to))
-                        continue;
-                    weights[count] = to;
-                    lines[count++] = line_at(w, t, k, set);
-                }
+                weights[count] = w->worker->weights + (size_t)slots[i] * CRT_LINE_ANCHORS;
+                lines[count++] =
+                    line_at(w, t, w->first + (size_t)(slots[i] / sets), slots[i] % sets);
             }
             if (count > 0)
-                pass->kernels->spread(lines, weights, count, w->cols,
+                pass->kernels->spread(lines, weights, count, w->cols, pass->even,
                                       pass->target[w->target[t]].cells +
                                           (size_t)r * (size_t)pass->grid.cols + (size_t)w->col);
         }
@@ -236,9 +257,9 @@ static void touch_planes(const struct working *w, struct crt_planes *planes, uin
 void crt_line_pass_band(const struct crt_line_pass *pass, int lo, int hi, int worker,
                         struct crt_planes *planes, uint64_t epoch)
 {
-    for (int row = lo; row < hi; row += CRT_TILE_ROWS) {
+    for (int row = lo; row < hi; row += CRT_LINE_STEP) {
         struct working w = {.pass = pass, .worker = &pass->worker[worker], .lo = row};
-        w.hi = row + CRT_TILE_ROWS < hi ? row + CRT_TILE_ROWS : hi;
+        w.hi = row + CRT_LINE_STEP < hi ? row + CRT_LINE_STEP : hi;
         lines_near(pass, w.lo, w.hi, &w.first, &w.end);
         if (w.first == w.end)
             continue;

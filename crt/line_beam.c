@@ -88,24 +88,16 @@ static double edge_value(void)
     return crt_exp(-CRT_LINE_CUT * CRT_LINE_CUT / 2);
 }
 
-static double whole_area(void)
+double crt_line_area(void)
 {
     return sqrt(TWO_PI) * crt_erf(CRT_LINE_CUT / sqrt(2)) - 2 * edge_value() * CRT_LINE_CUT / 9;
-}
-
-double crt_line_profile(double d2)
-{
-    double q = d2 / (CRT_LINE_CUT * CRT_LINE_CUT);
-    if (q >= 1)
-        return 0;
-    return (crt_exp(-d2 / 2) - edge_value() * q * q * q * q) / whole_area();
 }
 
 /* ∫ z^k·spot from 0 to z, k = 0…2. */
 static void integrals(double z, double sum[3])
 {
     z = fmin(fmax(z, -CRT_LINE_CUT), CRT_LINE_CUT);
-    double c = edge_value(), area = whole_area(), q = z / CRT_LINE_CUT, q2 = q * q;
+    double c = edge_value(), area = crt_line_area(), q = z / CRT_LINE_CUT, q2 = q * q;
     double q8 = q2 * q2 * q2 * q2, e = crt_exp(-z * z / 2);
     double half = sqrt(TWO_PI) / 2 * crt_erf(z / sqrt(2));
     sum[0] = (half - c * q8 * z / 9) / area;

@@ -30,6 +30,7 @@
 
 #define CRT_LINE_SETS  2 /* spots that the mixture is made of */
 #define CRT_LINE_CUT   4.0
+#define CRT_LINE_EDGE 3.35462627902511839e-4F /* e^(−CUT²/2) */
 #define CRT_WIDEST_DOT 1.5 /* sigma */
 #define CRT_LINE_NODES 24  /* at most */
 #define CRT_LINE_SEG   8   /* columns of one sigma */
@@ -140,7 +141,7 @@ void crt_line_beams_trim(struct crt_line_beams *beams);
 /* Current of a drive, and the part of it in the wide spot. */
 void crt_line_current(const struct crt_tube_row *row, double drive, double current[CRT_LINE_SETS]);
 
-/* The profile of the cut spot at d² sigma², of unit area; and ∫ z^k of it from −∞ to z, k = 0…2. */
-double crt_line_profile(double d2);
+/* Area of the cut spot's profile, in sigma. */
+double crt_line_area(void);
 
 #endif

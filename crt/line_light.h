@@ -21,7 +21,7 @@
 struct crt_glow {
     int refs;
     int col0[CRT_MAX_GUNS], col1[CRT_MAX_GUNS];
-    int16_t *cells[CRT_MAX_GUNS][CRT_LINE_SETS]; /* [column][line]; NULL: dark */
+    int16_t *cells[CRT_MAX_GUNS][CRT_LINE_SETS]; /* [line][column]; NULL: dark */
     float scale[CRT_MAX_GUNS][CRT_LINE_SETS][CRT_STRIP_LINES];
 };
 
@@ -38,18 +38,33 @@ struct crt_line_source {
     int32_t *stream[CRT_LINE_SETS];  /* [dot − dot0][3][line], room for one more dot in front */
 };
 
+/* Columns that are worked on together: the lines of a band stay in the cache. */
+#define CRT_LINE_TILE    512
+#define CRT_LINE_ANCHORS (CRT_LINE_TILE / CRT_LINE_ANCHOR + CRT_STRIP_LINES) /* one more than needed, in eights */
+
+/* A line across, at the anchors of a tile: where it lies, the inverse of sigma, and its light. */
+struct crt_line_across {
+    float at[CRT_LINE_ANCHORS], narrow[CRT_LINE_ANCHORS], amount[CRT_LINE_ANCHORS];
+};
+
 struct crt_line_kernels {
     const char *name;
     void (*currents)(const struct crt_line_source *source);
     /* Columns [col0, col1) of one gun and set; `stream` is that of dot 0. */
     void (*light)(const struct crt_line_spot *spot, const int64_t *at, const uint16_t *level,
                   const int32_t *stream, int col0, int col1, int16_t *cells);
-    /* to = or += light of one line, a column each: (w0 + w1·column)·cells, columns from col on. */
-    void (*combine)(const int16_t *cells, int lane, int count, float w0, float w1, float *to,
-                    bool add);
-    /* Adds lines, each times its weight, to a row of cells. Weights are straight lines between anchors. */
+    /* to = or += (w0 + w1·i)·cells, i = 0 … count − 1, count in eights. */
+    void (*combine)(const int16_t *cells, int count, float w0, float w1, float *to, bool add);
+    /* A line `y` mm off, from how its band lies (there narrow is the spread of the spot), of a spot of
+     * `sigma` mm, wider by `wider`. */
+    void (*place)(struct crt_line_across *line, const struct crt_line_across *band, float y,
+                  float sigma, float wider, float amount);
+    /* Weights of a line in the row of cells at y, for the anchors of a tile. */
+    void (*weigh)(const struct crt_line_across *line, float y, float *weights);
+    /* Adds lines, each times its weight, to a row of cells, cols in eights. Weights are straight lines
+     * between anchors, or the same everywhere. */
     void (*spread)(const float *const lines[], const float *const weights[], int count, int cols,
-                   float *cells);
+                   bool even, float *cells);
 };
 
 extern const struct crt_line_kernels crt_line_kernels_baseline;

@@ -12,8 +12,8 @@
 
 #include "crt/line_pass.h"
 
-/* Columns worked on together: the lines of a band stay in the cache. */
-#define CRT_LINE_TILE 512
+/* Rows of cells, of one band, worked on together. */
+#define CRT_LINE_STEP 64
 /* Targets of one gun worked on together. */
 #define CRT_LINE_TOGETHER 4
 
@@ -65,10 +65,14 @@ struct crt_line_worker {
     struct crt_line_scratch scratch;
     float *lines; /* [target together][row][set][column of the tile] */
     size_t lines_room;
+    struct crt_line_across *across; /* [row][set] */
+    size_t across_room;
     float *weights; /* [row][set][anchor of the tile] */
     size_t weights_room;
     const float **pointers; /* of lines and weights for the kernel */
     size_t pointers_room;
+    int *slots;
+    size_t slots_room;
 };
 
 struct crt_line_pass {
@@ -77,6 +81,8 @@ struct crt_line_pass {
     const struct crt_line_kernels *kernels;
     struct crt_line_worker *worker;
     int workers;
+    bool even;   /* nothing varies over the screen */
+    double area; /* crt_line_area() */
     /* the running pass */
     struct crt_line_target target[CRT_MAX_TARGETS];
     int targets, planes; /* planes come first */

@@ -29,8 +29,11 @@ struct crt_line_pass *crt_line_pass_create(const struct crt_tube_row *row,
 #else
     (void)simd;
 #endif
-    if (crt_line_beams_init(&pass->beams, row, phosphor, grid, err))
+    if (crt_line_beams_init(&pass->beams, row, phosphor, grid, err)) {
+        pass->even = pass->beams.optics.edge == 0 && pass->beams.optics.converge_edge == 0;
+        pass->area = crt_line_area();
         return pass;
+    }
     crt_line_pass_destroy(pass);
     return NULL;
 }
@@ -44,6 +47,8 @@ void crt_line_pass_destroy(struct crt_line_pass *pass)
         free(pass->worker[i].lines);
         free(pass->worker[i].pointers);
         free(pass->worker[i].weights);
+        free(pass->worker[i].across);
+        free(pass->worker[i].slots);
     }
     crt_line_pass_end(pass);
     crt_line_beams_free(&pass->beams);

@@ -90,17 +90,35 @@ static struct crt_strip *strip_for(struct crt_lines *lines, const struct crt_lin
     return strip;
 }
 
+/* Of 16 at a time, side by side. */
+typedef uint8_t bytes __attribute__((vector_size(16)));
+
+static uint8_t brightest_of(const uint8_t *dots, size_t count)
+{
+    bytes most = {0}, v;
+    uint8_t all = 0;
+    size_t i = 0;
+    for (; i + sizeof v <= count; i += sizeof v) {
+        memcpy(&v, dots + i, sizeof v);
+        bytes more = (bytes)(v > most);
+        most = (v & more) | (most & ~more);
+    }
+    for (size_t k = 0; k < sizeof most; k++)
+        all = most[k] > all ? most[k] : all;
+    for (; i < count; i++)
+        all = dots[i] > all ? dots[i] : all;
+    return all;
+}
+
 static int add_dots(struct crt_strip *strip, const struct crt_scan_line *line)
 {
     int lane = strip->lines++;
     size_t dots = (size_t)line->dots;
     strip->y[lane] = line->y0;
     for (int gun = 0; gun < line->guns; gun++) {
-        uint8_t *to = strip->drive + (size_t)(gun * CRT_STRIP_LINES + lane) * dots, most = 0;
+        uint8_t *to = strip->drive + (size_t)(gun * CRT_STRIP_LINES + lane) * dots;
         memcpy(to, line->drive[gun], dots);
-        for (size_t i = 0; i < dots; i++)
-            most = to[i] > most ? to[i] : most;
-        strip->brightest[gun][lane] = most;
+        strip->brightest[gun][lane] = brightest_of(to, dots);
     }
     return lane;
 }

@@ -79,21 +79,29 @@ struct dots {
     bool inside; /* the disc lies within the only one */
 };
 
+static bool is_odd(double whole)
+{
+    return (int64_t)whole % 2 != 0;
+}
+
 static struct dots dots_near(const struct crt_mask *m, int gun, int colour, double dx, double dy)
 {
     struct dots dots = {0};
+    double guard = m->dot - m->hole;
+    if (gun == colour && dx * dx + dy * dy <= guard * guard)
+        return (struct dots){.count = 1, .at = {{-dx, -dy, m->dot}}, .inside = true};
     double px = m->way_x[colour] - m->way_x[gun] - dx, py = m->way_y[colour] - m->way_y[gun] - dy;
     double step = ROOT3_2 * m->pitch, reach = m->hole + m->dot;
     double first = floor(-px / step);
     for (double i = first - 1; i <= first + 2; i++) {
-        double x = px + i * step, shift = fmod(i, 2) != 0 ? m->pitch / 2 : 0;
+        double x = px + i * step, shift = is_odd(i) ? m->pitch / 2 : 0;
         double up = floor(-(py + shift) / m->pitch);
         for (double j = up - 1; j <= up + 2; j++) {
             double y = py + shift + j * m->pitch, d2 = x * x + y * y;
             if (d2 >= reach * reach || dots.count == 7)
                 continue;
             dots.at[dots.count++] = (struct crt_disc){x, y, m->dot};
-            dots.inside = d2 <= (m->dot - m->hole) * (m->dot - m->hole);
+            dots.inside = d2 <= guard * guard;
         }
     }
     return dots;
@@ -114,19 +122,33 @@ static double lit_by_disc(const struct crt_mask *m, const struct dots *dots, dou
     return sum;
 }
 
+/* Whether a beam's disc about (x, y) reaches the box at all: mostly not, under a microscope. */
+static bool touches(const struct crt_mask *m, double x, double y, const struct crt_box *box)
+{
+    double dx = x < box->x0 ? box->x0 - x : x > box->x1 ? x - box->x1 : 0;
+    double dy = y < box->y0 ? box->y0 - y : y > box->y1 ? y - box->y1 : 0;
+    return dx * dx + dy * dy < m->hole * m->hole;
+}
+
 static double cover_of_delta(const struct crt_mask *m, int gun, int colour, double dx, double dy,
                              const struct crt_box *box)
 {
-    struct dots dots = dots_near(m, gun, colour, dx, dy);
-    if (dots.count == 0)
-        return 0;
     double ox = m->way_x[gun] + dx, oy = m->way_y[gun] + dy, step = ROOT3_2 * m->pitch, sum = 0;
+    struct dots dots = {0};
+    bool known = false;
     double last = floor((box->x1 + m->hole - ox) / step);
     for (double i = ceil((box->x0 - m->hole - ox) / step); i <= last; i++) {
-        double x = ox + i * step, y0 = oy + (fmod(i, 2) != 0 ? m->pitch / 2 : 0);
+        double x = ox + i * step, y0 = oy + (is_odd(i) ? m->pitch / 2 : 0);
         double end = floor((box->y1 + m->hole - y0) / m->pitch);
-        for (double j = ceil((box->y0 - m->hole - y0) / m->pitch); j <= end; j++)
-            sum += lit_by_disc(m, &dots, x, y0 + j * m->pitch, box);
+        for (double j = ceil((box->y0 - m->hole - y0) / m->pitch); j <= end; j++) {
+            double y = y0 + j * m->pitch;
+            if (!touches(m, x, y, box))
+                continue;
+            if (!known)
+                dots = dots_near(m, gun, colour, dx, dy);
+            known = true;
+            sum += lit_by_disc(m, &dots, x, y, box);
+        }
     }
     return sum;
 }

@@ -55,9 +55,7 @@ static bool plan_closeup(struct vm_capture *c, const struct vm_machine *m, struc
 /* Which heads, by what tubes, how long. */
 static int plan_view(struct vm_capture *c, const struct vm_machine *m, struct crt_error *err)
 {
-    enum vm_view wanted = c->o.buffer ? VM_VIEW_RASTER : c->settings.view;
-    if (!vm_view_resolve(wanted, m, c->input.name, &c->view, err))
-        return VM_EXIT_USAGE;
+    c->view = vm_view_now(c->settings.view, m);
     c->tubes = vm_settings_tubes(&c->settings, c->view);
     if (c->o.buffer)
         c->tubes.heads = 0;

@@ -6,6 +6,7 @@
 #include "emu/capture_parts.h"
 #include "emu/command.h"
 #include "emu/out_file.h"
+#include "emu/view.h"
 
 #define ROW(field) offsetof(struct vm_capture_options, field)
 
@@ -171,6 +172,8 @@ static void furnish(struct vm_capture *c, const struct vm_lights *lights)
                                    .lights = *lights,
                                    .settings = &c->settings};
     vm_picture_sizes(&c->settings, c->view, c->o.size, c->studio.size);
+    if (c->o.closeup)
+        vm_light_microscope(&c->o.light, &c->settings, &c->studio.lights);
     c->film_studio = c->studio;
     c->film_studio.film = true;
 }
@@ -192,6 +195,10 @@ static int capture(struct vm_capture *c)
         vm_settings_resolve(&c->o.settings, c->input.is_recording ? &c->input.header : NULL,
                             vm_input_tube(&c->input), &c->settings, &err);
     struct vm_lights lights;
+    if (c->o.buffer) /* before it is known whether the program switches it on */
+        c->settings.view = VM_VIEW_RASTER;
+    if (status == VM_EXIT_OK && !vm_view_suits(&c->settings, &c->input, &err))
+        status = VM_EXIT_USAGE;
     if (status == VM_EXIT_OK)
         status = vm_light_settings(&c->o.light, &c->settings, &lights, &err);
     if (status == VM_EXIT_OK && !check_place(c, &err))

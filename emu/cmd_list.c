@@ -129,7 +129,8 @@ const struct vm_command vm_command_list = {
     "list",
     "tubes|phosphors|modes|roms [--why]",
     "List what there is to choose from",
-    "With a NAME behind it or --why: every figure with the range it is believed to lie in and its source.",
+    "With a NAME behind it or --why: every figure with the range it is believed to lie in and its "
+    "source.",
     "  kinescope list tubes\n"
     "  kinescope list tubes VR17\n"
     "  kinescope list phosphors --why\n"

@@ -5,6 +5,7 @@
 #include "emu/command.h"
 #include "emu/headless.h"
 #include "emu/show.h"
+#include "emu/view.h"
 
 struct options {
     bool headless, console, full_screen, gdb_anywhere;
@@ -109,6 +110,8 @@ static int run_headless(const struct options *o, const char *path)
     }
     int status = vm_settings_resolve(&o->settings, input.is_recording ? &input.header : NULL,
                                      vm_input_tube(&input), &settings, &err);
+    if (!status && !vm_view_suits(&settings, &input, &err))
+        status = VM_EXIT_USAGE;
     if (!status)
         status = debuggable_headless(o, path, &settings, &input, &err);
     vm_settings_free(&settings);

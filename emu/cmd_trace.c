@@ -214,6 +214,8 @@ static int trace(struct trace *t)
     int status =
         vm_settings_resolve(&t->o.settings, t->input.is_recording ? &t->input.header : NULL,
                             vm_input_tube(&t->input), &t->settings, &err);
+    if (!status && !vm_view_suits(&t->settings, &t->input, &err))
+        status = VM_EXIT_USAGE;
     if (!status && !vm_out_open(&t->file, t->o.out ? t->o.out : "-", &err))
         status = VM_EXIT_TROUBLE;
     t->out = t->file.file;

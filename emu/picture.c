@@ -50,8 +50,20 @@ int vm_light_settings(const struct vm_light_options *o, const struct vm_settings
                                         .room_cd_m2 = o->room < 0 ? room : o->room,
                                         .halation = row->halation.value,
                                         .face_radius_mm = row->face_radius.value};
+        if (row->mask != CRT_MASK_NONE)
+            crt_mask_init(&lights->head[h].mask, row);
     }
     return 0;
+}
+
+void vm_light_microscope(const struct vm_light_options *o, const struct vm_settings *s,
+                         struct vm_lights *lights)
+{
+    if (o->gain && strcmp(o->gain, "auto") != 0 && o->gain[0] != 'x')
+        return;
+    for (int h = 0; h < VM_HEADS; h++)
+        if (s->monitor[h].row.mask != CRT_MASK_NONE)
+            lights->head[h].gain *= s->monitor[h].row.mask_transmission.value;
 }
 
 /* ---- studio -------------------------------------------------------------------------------------

@@ -30,6 +30,11 @@ struct vm_lights {
 int vm_light_settings(const struct vm_light_options *options, const struct vm_settings *settings,
                       struct vm_lights *lights, struct crt_error *err);
 
+/* Under a microscope a mask shows: what light there is, is in few places, and as many times brighter as
+ * those are few. `auto` gain, and what is relative to it, goes down by that. */
+void vm_light_microscope(const struct vm_light_options *options, const struct vm_settings *settings,
+                         struct vm_lights *lights);
+
 struct vm_studio {
     bool film; /* develop on the CPU */
     int depth, threads;

@@ -197,12 +197,33 @@ double vm_resolution_lines(double sigma, double f)
     return odd / even;
 }
 
-/* Draws the lines, one after the other, in one epoch. */
+/* They fade at once: persistence would only weigh lines by their age. */
+static const struct crt_phosphor quick = {.name = "quick",
+                                          .colours = 1,
+                                          .colour = {{CRT_D65_X, CRT_D65_Y}},
+                                          .terms = 1,
+                                          .term = {{1, 1e-9, 0}}};
+static const struct crt_phosphor quick_colours = {
+    .name = "quick",
+    .colours = 3,
+    .colour = {{.64, .33}, {.30, .60}, {.15, .06}},
+    .terms = 3,
+    .term = {{.2126, 1e-9, 0}, {.7152, 1e-9, 1}, {.0722, 1e-9, 2}}};
+
+/* Eight periods in the middle of the screen, along the first side. */
+static struct crt_grid grid_for(enum vm_direction direction, double f)
+{
+    if (direction == VM_ACROSS)
+        return crt_grid_closeup(0, 0, 8 / f, 512, 64);
+    return crt_grid_closeup(0, 0, 1 / f, 64, 512);
+}
+
+/* Upright lines at full drive, one after the other, in half an epoch. */
 static void draw_lines(struct crt_tube *tube, const struct crt_grid *grid, double f, uint64_t epoch)
 {
     double x1 = grid->left_mm + grid->cols * grid->cell_mm, top = grid->top_mm;
     double bottom = top - grid->rows * grid->cell_mm, reach = 20 * grid->cell_mm;
-    int first = (int)ceil((grid->left_mm - reach) * f), last = (int)floor((x1 + reach) * f);
+    int first = (int)ceil((grid->left_mm - 4 / f) * f), last = (int)floor((x1 + 4 / f) * f);
     uint64_t time = epoch / 2 / (uint64_t)(last - first + 1);
     for (int i = first; i <= last; i++) {
         uint64_t t = (uint64_t)(i - first) * time;
@@ -217,48 +238,98 @@ static void draw_lines(struct crt_tube *tube, const struct crt_grid *grid, doubl
     }
 }
 
-static double modulation_on(const struct crt_film *film)
+/* Drive for which the current is a sine at `mm`. */
+static uint8_t sine_drive(const struct vm_resolution *r, double f, double mm)
+{
+    double current = (1 + crt_cos(2 * PI * f * mm)) / 2;
+    return (uint8_t)(255 * crt_pow(current, 1 / r->row->gun_exponent.value) + 0.5);
+}
+
+#define FINE_DOTS 4096 /* a line: far finer than spots */
+
+/* Scan lines at the mode's pitch and speed over the grid: of one gun, the green one of three. */
+static void scan_lines(struct crt_tube *tube, const struct vm_resolution *r,
+                       const struct crt_grid *grid, enum vm_direction direction, double f)
+{
+    uint8_t drive[FINE_DOTS], dark[FINE_DOTS] = {0};
+    double width = r->row->width.value, pitch = r->row->height.value / r->dots_y;
+    double reach = grid->rows * grid->cell_mm / 2 + 8 * r->sigma[VM_CENTRE];
+    uint64_t time = (uint64_t)(width / r->speed_mm_s * 1e12);
+    int guns = crt_tube_guns(r->row), last = (int)ceil(reach / pitch);
+    for (int i = 0; i < FINE_DOTS; i++)
+        drive[i] = sine_drive(r, f, ((i + 0.5) / FINE_DOTS - 0.5) * width);
+    for (int k = -last; k <= last; k++) {
+        float y = (float)(-k * pitch);
+        struct crt_scan_line line = {.t0 = (uint64_t)(k + last) * (time + time / 4),
+                                     .x0 = (float)(-width / 2),
+                                     .x1 = (float)(width / 2),
+                                     .y0 = y,
+                                     .y1 = y,
+                                     .dots = FINE_DOTS,
+                                     .guns = guns,
+                                     .drive = {dark, dark, dark},
+                                     .source = (uint32_t)(k + last)};
+        line.t1 = line.t0 + time;
+        if (direction == VM_UP)
+            for (int i = 0; i < FINE_DOTS; i++)
+                drive[i] = sine_drive(r, f, k * pitch);
+        line.drive[guns / 2] = drive;
+        crt_tube_scan_line(tube, &line);
+    }
+}
+
+/* Along the middle of the film, its outer quarters left out. */
+static double modulation_on(const struct crt_film *film, enum vm_direction direction)
 {
     double low = INFINITY, high = 0;
-    size_t cols = (size_t)film->grid.cols, middle = (size_t)(film->grid.rows / 2) * cols;
-    for (size_t c = cols / 4; c < cols * 3 / 4; c++) {
+    size_t cols = (size_t)film->grid.cols, rows = (size_t)film->grid.rows;
+    size_t n = direction == VM_ACROSS ? cols : rows, step = direction == VM_ACROSS ? 1 : cols;
+    size_t start = direction == VM_ACROSS ? rows / 2 * cols : cols / 2;
+    for (size_t i = n / 4; i < n * 3 / 4; i++) {
         double sum = 0;
         for (int k = 0; k < film->colours; k++)
-            sum += (double)film->light[k][middle + c];
+            sum += (double)film->light[k][start + i * step];
         low = fmin(low, sum);
         high = fmax(high, sum);
     }
     return high > 0 ? (high - low) / (high + low) : 0;
 }
 
-bool vm_resolution_on_film(const struct crt_tube_row *row, double f, double *modulation,
-                           struct crt_error *err)
+static bool expose(struct crt_tube *tube, const struct vm_resolution *r,
+                   enum vm_direction direction, double f, double *modulation, struct crt_error *err)
 {
-    assert(row->kind == CRT_VECTOR_TUBE);
-    /* It fades at once: persistence would only weigh the lines by their age. */
-    static const struct crt_phosphor quick = {.name = "quick",
-                                              .colours = 1,
-                                              .colour = {{CRT_D65_X, CRT_D65_Y}},
-                                              .terms = 1,
-                                              .term = {{1, 1e-9, 0}}};
-    struct crt_tube_desc close = {.row = row, .phosphor = &quick, .knobs = {0, 1, 0}, .threads = 1};
-    struct crt_film film = {.colours = 0};
-    /* Eight periods, finely enough that the mean over a cell is as good as a point. */
-    close.grid = crt_grid_closeup(0, 0, 8 / f, 512, 64);
-    close.epoch = (struct crt_rate){60, 1};
-    struct crt_tube *tube = crt_tube_create(&close, err);
+    struct crt_grid grid = grid_for(direction, f);
+    const uint64_t end = CRT_PS_PER_S;
+    struct crt_film film;
+    if (!crt_film_init(&film, tube, err))
+        return false;
+    crt_film_open(tube, &film, 0, end);
+    if (r->row->kind == CRT_RASTER_TUBE)
+        scan_lines(tube, r, &grid, direction, f);
+    else
+        draw_lines(tube, &grid, f, end);
+    crt_tube_advance(tube, end);
+    bool ok = crt_tube_intact(tube, err);
+    *modulation = modulation_on(&film, direction);
+    crt_film_free(&film);
+    return ok;
+}
+
+bool vm_resolution_on_film(const struct vm_resolution *r, enum vm_direction direction, double f,
+                           double *modulation, struct crt_error *err)
+{
+    bool raster = r->row->kind == CRT_RASTER_TUBE;
+    direction = raster ? direction : VM_ACROSS;
+    struct crt_tube_desc desc = {.row = r->row,
+                                 .phosphor = crt_tube_guns(r->row) == 3 ? &quick_colours : &quick,
+                                 .grid = grid_for(direction, f),
+                                 .epoch = {1, 1},
+                                 .knobs = {0, 1, 0},
+                                 .threads = 1};
+    struct crt_tube *tube = crt_tube_create(&desc, err);
     if (!tube)
         return false;
-    bool ok = crt_film_init(&film, tube, err);
-    if (ok) {
-        uint64_t end = crt_tick_time(close.epoch, 1);
-        crt_film_open(tube, &film, 0, end);
-        draw_lines(tube, &close.grid, f, end);
-        crt_tube_advance(tube, end);
-        ok = crt_tube_intact(tube, err);
-        *modulation = modulation_on(&film);
-        crt_film_free(&film);
-    }
+    bool ok = expose(tube, r, direction, f, modulation, err);
     crt_tube_destroy(tube);
     return ok;
 }

@@ -60,10 +60,13 @@ double vm_resolution_mode_limit(const struct vm_resolution *r, enum vm_direction
 /* Width of the spot at 60 % of its peak, mm, for a sigma. */
 double vm_resolution_width60(double sigma);
 
-/* A grating of thin full lines f a mm apart, as a Gaussian spot shows it: closed form (a series), and
- * on film, drawn by the tube itself with strokes (vector tubes). */
+/* A grating of thin full lines, f a mm, as a Gaussian spot shows it: a series. */
 double vm_resolution_lines(double sigma, double f);
-bool vm_resolution_on_film(const struct crt_tube_row *row, double f, double *modulation,
-                           struct crt_error *err);
+
+/* Modulation in the centre of a film on which the tube itself drew a grating: raster tubes the sine of
+ * vm_resolution_at, by scan lines of the mode; vector tubes the lines of vm_resolution_lines, by
+ * strokes, whatever the direction. Spots of less current are narrower there than here. */
+bool vm_resolution_on_film(const struct vm_resolution *r, enum vm_direction direction, double f,
+                           double *modulation, struct crt_error *err);
 
 #endif

@@ -26,6 +26,7 @@ static void draw_both(struct vm_show *show, int width, int height)
     struct vm_size size[VM_HEADS];
     vm_picture_sizes(&show->program->settings, VM_VIEW_BOTH, (struct vm_size){width, height}, size);
     int x = 0;
+    crt_glass_clear(show->glass[VM_VECTOR], 0, width, height);
     for (int h = 0; h < VM_HEADS; h++) {
         const struct crt_glass_part part = {x, 0, size[h].width, size[h].height, width, height};
         crt_glass_draw_part(show->glass[h], light_of(show, h), 0, &part);

@@ -73,7 +73,8 @@ static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, st
     const struct crt_beam_header *header = p->input.is_recording ? &p->input.header : NULL;
     const char *glass = tube ? tube : vm_input_tube(&p->input);
     if (vm_settings_resolve(d->settings, header, glass, &p->settings, err) ||
-        vm_light_settings(d->light, &p->settings, &p->lights, err))
+        vm_light_settings(d->light, &p->settings, &p->lights, err) ||
+        !vm_view_suits(&p->settings, &p->input, err))
         return false;
     for (int h = 0; h < VM_HEADS && show->knobs_touched; h++)
         p->settings.monitor[h].knobs = show->knobs;

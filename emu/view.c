@@ -8,15 +8,14 @@ enum vm_view vm_view_now(enum vm_view wanted, const struct vm_machine *m)
     return vector && raster ? VM_VIEW_BOTH : raster ? VM_VIEW_RASTER : VM_VIEW_VECTOR;
 }
 
-bool vm_view_resolve(enum vm_view wanted, const struct vm_machine *m, const char *program,
-                     enum vm_view *view, struct crt_error *err)
+bool vm_view_suits(const struct vm_settings *s, const struct vm_input *input, struct crt_error *err)
 {
-    if ((wanted & VM_VIEW_RASTER) && !m->desc.buffer)
-        return crt_fail(err,
-                        "--view %s: %.200s has no firmware, and a raster head needs a processor",
-                        vm_view_name(wanted), program);
-    *view = vm_view_now(wanted, m);
-    return true;
+    if (input->has_firmware || (s->main == VM_VECTOR && !(s->view & VM_VIEW_RASTER)))
+        return true;
+    return crt_fail(err,
+                    "%s has no firmware, and a raster head (here with tube %s) needs a processor; "
+                    "give a vector tube and --view vector",
+                    input->name, s->monitor[VM_RASTER].row.name);
 }
 
 uint64_t vm_view_exposure(enum vm_view view, const struct vm_machine *m)

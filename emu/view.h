@@ -9,13 +9,16 @@
 #ifndef EMU_VIEW_H
 #define EMU_VIEW_H
 
+#include "emu/input_file.h"
 #include "emu/machine.h"
 #include "emu/settings.h"
 
-/* Never VM_VIEW_AUTO: `wanted`, or the heads used so far; the vector head when neither is. A program
- * without firmware has no raster head: false and a sentence when that is wanted. */
-bool vm_view_resolve(enum vm_view wanted, const struct vm_machine *m, const char *program,
-                     enum vm_view *view, struct crt_error *err);
+/* False and a sentence when the options ask for a raster head, by tube or view, and the program has no
+ * firmware that could use one. */
+bool vm_view_suits(const struct vm_settings *settings, const struct vm_input *input,
+                   struct crt_error *err);
+
+/* Never VM_VIEW_AUTO: `wanted`, or the heads used so far; the vector head when neither is. */
 enum vm_view vm_view_now(enum vm_view wanted, const struct vm_machine *m);
 
 /* How long a picture gathers light unless said otherwise: a frame of the raster head when that is

@@ -59,7 +59,7 @@ static double probe(const struct bench *b, uint64_t t)
 {
     double cd_m2[CRT_MAX_COLOURS];
     crt_tube_probe(b->tube, X, X, t, cd_m2);
-    return cd_m2[0] + cd_m2[1];
+    return cd_m2[0] + cd_m2[1] + cd_m2[2];
 }
 
 /* When the light has fallen to `goal`, seconds after the flash; never called for less later. */

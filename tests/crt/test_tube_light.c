@@ -333,7 +333,7 @@ static void probe_between_cells(void **state)
     struct crt_tube *tube = crt_tube_create(&desc, &err);
     struct crt_stroke dot = {.t0 = 0, .t1 = 1000000, .x0 = 0.11F, .x1 = 0.11F, .drive = 1};
     crt_tube_stroke(tube, &dot);
-    double before[CRT_MAX_COLOURS], after[2], peak = 0, worst = 0;
+    double before[CRT_MAX_COLOURS], after[CRT_MAX_COLOURS], peak = 0, worst = 0;
     const double x[] = {0.11, 0.125, 0, 0.2, 0.36, 0.6, -0.5};
     uint64_t tick = crt_tick_time(desc.epoch, 1);
     double journal[7];
