@@ -110,7 +110,7 @@ static void heading(const struct picture *p)
 {
     struct video_timing t = video_timing();
     char words[96];
-    uint32_t field = video_field_mhz(&t);
+    uint32_t field = video_field_millihertz(&t);
     uint32_t row = (p->laced ? field / 2 : field) / 10; /* hundredths */
     canvas_text(&p->canvas, at_x(p, 24), at_y(p, 26), p->scale + 1, 2 * p->tall, WHITE,
                 p->laced ? "INTERLACED" : "NOT INTERLACED");

@@ -138,6 +138,12 @@ static void at_retrace(void *ctx)
 
 /* ---- the whole --------------------------------------------------------------------------------- */
 
+/* Of writing. */
+static int scale_of(const struct palette *p)
+{
+    return p->canvas.width >= 1000 ? 2 : 1;
+}
+
 static void label(const struct palette *p, int y, int scale, const char *text)
 {
     const struct canvas *c = &p->canvas;
@@ -151,13 +157,14 @@ static void label(const struct palette *p, int y, int scale, const char *text)
 static void draw(struct palette *p)
 {
     const struct canvas *c = &p->canvas;
-    int scale = c->width >= 1000 ? 2 : 1;
+    int scale = scale_of(p);
     surface(p);
     canvas_fill(c, 0, p->band_top, c->width, p->band_rows, BAND);
     canvas_fill(c, 0, p->band_top - 2, c->width, 2, BLACK);
     label(p, p->band_top - 24 * scale, scale, "240 indices, written once; colours turn at retrace");
-    label(p, p->band_top + p->band_rows - 20 * scale, scale,
-          "one index; line compare sets its colour row by row");
+    int below = p->band_top + p->band_rows;
+    canvas_fill(c, 0, below, c->width, c->height - below, BLACK);
+    label(p, below + 4 * scale, scale, "one index; line compare sets its colour row by row");
 }
 
 int main(void)
@@ -169,7 +176,7 @@ int main(void)
     }
     p.canvas = video_open(8);
     p.band_top = p.canvas.height * 7 / 10;
-    p.band_rows = p.canvas.height - p.band_top;
+    p.band_rows = p.canvas.height - p.band_top - (FONT_HEIGHT + 8) * scale_of(&p);
     waves();
     hues(&p);
     at_retrace(&p);

@@ -60,7 +60,7 @@ $(ROM_O)/link.ld: roms/bsp/link.ld emu/memmap.h roms/roms.mk
 	$(ROM_CROSS)gcc -E -P -x c -I. -o $@ $<
 
 # Pixels are worth the room that fast code takes.
-$(ROM_O)/raster/%.o: ROM_CFLAGS += -O2
+$(ROM_O)/raster/%.o $(ROM_O)/pageflip/%.o: ROM_CFLAGS += -O2
 
 # Archive members without time or owner (D).
 $(ROM_O)/libbsp.a: $(ROM_BSP:roms/%.c=$(ROM_O)/%.o)

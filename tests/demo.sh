@@ -8,7 +8,7 @@ fi
 out=o/demo
 mkdir -p $out
 echo "No display: writing the tour's pictures into $out/"
-while IFS='|' read -r name program tube at <&3; do
+while IFS='|' read -r name program tube at _ <&3; do
     name=$(echo "$name" | tr -d ' ')
     case "$name" in '' | '#'*) continue ;; esac
     # shellcheck disable=SC2086

@@ -18,11 +18,22 @@ report() { # STATUS NAME
     n=$((n + 1))
     if [ "$1" = 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; fi
 }
-while IFS='|' read -r name program tube at <&3; do
+# What a program's events are: the words of the first refresh, or of the raster head, whose rows would be
+# many, sync and what is taken at retrace.
+events() { # PROGRAM TUBE HEAD
+    if [ "$3" = raster ]; then
+        "$kinescope" trace "$1" --tube "$2" --what video --for 100ms >"$out/video" &&
+            grep -E 'vsync|retrace' "$out/video"
+    else
+        "$kinescope" trace "$1" --tube "$2" --what dpu
+    fi
+}
+while IFS='|' read -r name program tube at head <&3; do
     name=$(echo "$name" | tr -d ' ')
     program=$(echo "$program" | tr -d ' ')
     tube=$(echo "$tube" | tr -d ' ')
     at=$(echo "$at" | tr -d ' ')
+    head=$(echo "$head" | tr -d ' ')
     case "$name" in '' | '#'*) continue ;; esac
     to=$out
     [ $regenerate = yes ] && to=$golden
@@ -30,7 +41,7 @@ while IFS='|' read -r name program tube at <&3; do
         report 1 "$name: capture"
         continue
     fi
-    if ! "$kinescope" trace "$program" --tube "$tube" --what dpu >"$to/$name.trace"; then
+    if ! events "$program" "$tube" "$head" >"$to/$name.trace"; then
         report 1 "$name: trace"
         continue
     fi

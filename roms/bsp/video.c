@@ -73,14 +73,14 @@ bool video_set_timing(const struct video_timing *timing)
     return false;
 }
 
-uint32_t video_line_mhz(const struct video_timing *timing)
+uint32_t video_line_millihertz(const struct video_timing *timing)
 {
     if (timing->h_total == 0)
         return 0;
     return (uint32_t)(((uint64_t)timing->clock_hz * 1000 + timing->h_total / 2) / timing->h_total);
 }
 
-uint32_t video_field_mhz(const struct video_timing *timing)
+uint32_t video_field_millihertz(const struct video_timing *timing)
 {
     uint64_t dots = (uint64_t)timing->h_total * timing->v_total;
     if (dots == 0)

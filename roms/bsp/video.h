@@ -42,8 +42,8 @@ struct video_timing video_timing(void);
 bool video_set_timing(const struct video_timing *timing);
 
 /* Lines and fields a second, in thousandths. */
-uint32_t video_line_mhz(const struct video_timing *timing);
-uint32_t video_field_mhz(const struct video_timing *timing);
+uint32_t video_line_millihertz(const struct video_timing *timing);
+uint32_t video_field_millihertz(const struct video_timing *timing);
 
 /* ---- pictures ---------------------------------------------------------------------------------- */
 

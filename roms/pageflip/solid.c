@@ -37,12 +37,6 @@ static struct point minus(struct point a, struct point b)
     return (struct point){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/* Where an edge from a to b is at row y. */
-static float along(struct point a, struct point b, float y)
-{
-    return a.x + (b.x - a.x) * (y - a.y) / (b.y - a.y);
-}
-
 static void swap(struct point *a, struct point *b)
 {
     struct point c = *a;
@@ -50,7 +44,32 @@ static void swap(struct point *a, struct point *b)
     *b = c;
 }
 
-/* Pixels whose middle is within. */
+/* An edge, followed row by row. */
+struct edge {
+    float x, step;
+};
+
+static struct edge edge(struct point a, struct point b, int row)
+{
+    float step = b.y > a.y ? (b.x - a.x) / (b.y - a.y) : 0.0f;
+    return (struct edge){a.x + ((float)row + 0.5f - a.y) * step, step};
+}
+
+/* Rows from `row` to the one whose middle is at `end` or below. */
+static int rows(const struct canvas *canvas, int row, float end, struct edge *one,
+                struct edge *other, uint32_t colour)
+{
+    for (; (float)row + 0.5f < end; row++) {
+        int from = (int)(fminf(one->x, other->x) + 0.5f);
+        int to = (int)(fmaxf(one->x, other->x) + 0.5f);
+        canvas_fill(canvas, from, row, to - from, 1, colour);
+        one->x += one->step;
+        other->x += other->step;
+    }
+    return row;
+}
+
+/* Pixels whose middle is within; all of it lies at positive places. */
 static void triangle(const struct canvas *canvas, struct point a, struct point b, struct point c,
                      uint32_t colour)
 {
@@ -60,13 +79,11 @@ static void triangle(const struct canvas *canvas, struct point a, struct point b
         swap(&a, &c);
     if (c.y < b.y)
         swap(&b, &c);
-    for (int y = (int)ceilf(a.y - 0.5f); (float)y + 0.5f < c.y; y++) {
-        float middle = (float)y + 0.5f;
-        float one = along(a, c, middle),
-              other = middle < b.y ? along(a, b, middle) : along(b, c, middle);
-        int from = (int)ceilf(fminf(one, other) - 0.5f), to = (int)ceilf(fmaxf(one, other) - 0.5f);
-        canvas_fill(canvas, from, y, to - from, 1, colour);
-    }
+    int row = (int)(a.y + 0.5f);
+    struct edge whole = edge(a, c, row), part = edge(a, b, row);
+    row = rows(canvas, row, b.y, &whole, &part, colour);
+    part = edge(b, c, row);
+    rows(canvas, row, c.y, &whole, &part, colour);
 }
 
 void pageflip_solid(const struct pageflip_page *page, float angle)

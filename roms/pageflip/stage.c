@@ -3,7 +3,7 @@
 #include "roms/bsp/video.h"
 #include "roms/raster/font.h"
 
-enum { MARGIN = 24, HEAD = 96, BAR_PARTS = 6, MARK = 16 }; /* a bar is a sixth of the stage */
+enum { MARGIN = 24, HEAD = 88, BAR_PARTS = 6, MARK = 16 }; /* a bar is a sixth of the stage */
 
 void pageflip_colours(void)
 {
@@ -28,10 +28,12 @@ void pageflip_stage(struct pageflip_page *page, struct canvas canvas)
 {
     int height = canvas.height - HEAD - 2 * MARGIN, y = HEAD + MARGIN;
     int width = canvas.width - 4 * MARGIN; /* margins, and one between them */
+    int bars = width * 3 / 5 / (4 * BAR_PARTS) * (4 * BAR_PARTS); /* whole words */
+    int solid = (width - bars) / 4 * 4;
     *page = (struct pageflip_page){
         .canvas = canvas,
-        .solid = {MARGIN, y, width * 2 / 5, height},
-        .bars = {MARGIN * 3 + width * 2 / 5, y, width * 3 / 5, height},
+        .solid = {MARGIN, y, solid, height},
+        .bars = {MARGIN * 3 + solid, y, bars, height},
         .swept = -1,
         .mark = -1,
     };
@@ -52,13 +54,14 @@ void pageflip_text(struct pageflip_page *page, bool synced)
     canvas_text(c, x, MARGIN - 4, scale, scale, PAGEFLIP_WHITE, heads[synced]);
     if (small * FONT_WIDTH * 54 > c->width - 2 * x)
         small = 1;
-    canvas_text(c, x, HEAD - FONT_HEIGHT * small - 6, small, small, PAGEFLIP_FRAME, lines[synced]);
+    canvas_text(c, x, MARGIN + FONT_HEIGHT * scale + 4, small, small, PAGEFLIP_FRAME,
+                lines[synced]);
 }
 
-/* What changes in every row alike: stretches of it that get another colour. */
+/* What changes in every row alike: stretches of it, in words, that get another colour. */
 struct change {
     int from, length;
-    uint8_t colour;
+    uint32_t colours; /* of four pixels */
 };
 struct changes {
     int count;
@@ -66,35 +69,36 @@ struct changes {
 };
 
 /* The stage goes round: beyond its right edge is its left one. */
-static void add(struct changes *changes, int width, int from, int length, uint8_t colour)
+static void add(struct changes *changes, int width, int from, int length, uint32_t colour)
 {
     from = (from % width + width) % width;
     int first = length < width - from ? length : width - from;
-    changes->list[changes->count++] = (struct change){from, first, colour};
+    uint32_t colours = colour * 0x01010101u;
+    changes->list[changes->count++] = (struct change){from, first, colours};
     if (first < length)
-        changes->list[changes->count++] = (struct change){0, length - first, colour};
+        changes->list[changes->count++] = (struct change){0, length - first, colours};
 }
 
 /* The bars grow on one side and shrink on the other. */
 static struct changes moved_to(const struct pageflip_page *page, int swept)
 {
     struct changes changes = {0};
-    int width = page->bars.width, moved = swept - page->swept;
+    int width = page->bars.width / 4, moved = (swept - page->swept) / 4;
     for (int i = 0; i < BAR_PARTS; i += 2) {
-        int at = page->swept + i * width / BAR_PARTS;
+        int at = page->swept / 4 + i * width / BAR_PARTS;
         add(&changes, width, at + width / BAR_PARTS, moved, PAGEFLIP_BAR);
         add(&changes, width, at, moved, PAGEFLIP_GROUND);
     }
     return changes;
 }
 
-static void change_row(const struct changes *changes, uint8_t *row)
+static void change_row(const struct changes *changes, uint32_t *row)
 {
     const struct change *end = changes->list + changes->count;
     for (const struct change *c = changes->list; c < end; c++) {
-        uint8_t *to = row + c->from + c->length;
-        for (uint8_t *at = row + c->from; at < to; at++)
-            *at = c->colour;
+        uint32_t *to = row + c->from + c->length;
+        for (uint32_t *at = row + c->from; at < to; at++)
+            *at = c->colours;
     }
 }
 
@@ -109,12 +113,13 @@ static void first(struct pageflip_page *page, int swept)
 {
     const struct pageflip_rect *r = &page->bars;
     canvas_fill(&page->canvas, r->x, r->y, r->width, r->height, PAGEFLIP_GROUND);
-    page->swept = swept - r->width / BAR_PARTS;
+    page->swept = swept - r->width / BAR_PARTS; /* a whole bar of change */
 }
 
 void pageflip_bars(struct pageflip_page *page, int swept, bool look)
 {
     const struct pageflip_rect *r = &page->bars;
+    swept &= ~3;
     if (page->swept < 0 || swept - page->swept > r->width / BAR_PARTS)
         first(page, swept);
     pageflip_unmark(page);
@@ -130,7 +135,9 @@ void pageflip_bars(struct pageflip_page *page, int swept, bool look)
             page->mark = y;
             mark(page, y, PAGEFLIP_MARK);
         }
-        change_row(&changes, page->canvas.pixels + (uint32_t)y * page->canvas.pitch + r->x);
+        change_row(&changes,
+                   (uint32_t *)(void *)(page->canvas.pixels + (uint32_t)y * page->canvas.pitch +
+                                        (uint32_t)r->x));
     }
     page->swept = swept;
 }

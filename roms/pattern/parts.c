@@ -67,20 +67,20 @@ void pattern_mode_name(const struct pattern *p, char *text)
 {
     const struct video_timing *t = &p->timing;
     snprintf(text, PATTERN_NAME, "%lux%lu@%lu%s", (unsigned long)t->h_visible,
-             (unsigned long)t->v_visible, (unsigned long)(video_field_mhz(t) + 500) / 1000,
+             (unsigned long)t->v_visible, (unsigned long)(video_field_millihertz(t) + 500) / 1000,
              t->sync & VIDEO_SYNC_INTERLACED ? "i" : "");
 }
 
 void pattern_line_rate(const struct pattern *p, char *text)
 {
-    uint32_t hz = (video_line_mhz(&p->timing) + 500) / 1000;
+    uint32_t hz = (video_line_millihertz(&p->timing) + 500) / 1000;
     snprintf(text, PATTERN_NAME, "%lu.%03lu kHz", (unsigned long)hz / 1000,
              (unsigned long)hz % 1000);
 }
 
 void pattern_field_rate(const struct pattern *p, char *text)
 {
-    uint32_t hundredths = (video_field_mhz(&p->timing) + 5) / 10;
+    uint32_t hundredths = (video_field_millihertz(&p->timing) + 5) / 10;
     snprintf(text, PATTERN_NAME, "%lu.%02lu Hz", (unsigned long)hundredths / 100,
              (unsigned long)hundredths % 100);
 }

@@ -1,8 +1,9 @@
 # raster_tearing.awk — reads, in order of time, stores into the refresh buffer, rows of the picture and
 # what is taken at retrace, and tells whether a moving picture tears.
 #
-#   TIME store ADDRESS (hexadecimal)      TIME row N begins      TIME retrace base=B pitch=P format=F
+#   TIME store ADDRESS      TIME row N begins      TIME retrace base=B pitch=P format=F
 #
+# ADDRESS and B are hexadecimal.
 # A page has `size` bytes, 768 rows of 1024 unless told. A field is torn when both a row that the beam
 # has passed and one that it has not reached are changed in the shown page while it is on its way.
 function hex(text,    n, i) {
@@ -28,6 +29,7 @@ $2 == "retrace" {
     ends()
     fields++
     split($3, part, "=")
+    part[2] = hex(part[2])
     if (base >= 0 && part[2] != base)
         turns++
     base = part[2]

@@ -52,7 +52,7 @@ static uint32_t pixel(const struct canvas *c, int x, int y)
     const uint8_t *row = c->pixels + (uint32_t)y * c->pitch;
     if (c->bits < 8) {
         unsigned at = (unsigned)x * c->bits;
-        return row[at / 8] >> (8 - c->bits - at % 8) & ((1u << c->bits) - 1);
+        return (unsigned)row[at / 8] >> (8 - c->bits - at % 8) & ((1u << c->bits) - 1);
     }
     uint32_t value = 0;
     for (unsigned i = 0; i < c->bits / 8; i++)
