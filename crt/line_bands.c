@@ -61,6 +61,7 @@ bool crt_line_bands_prepare(struct crt_line_pass *pass)
             !grow_to(&w->across, &w->across_room, most * sets, sizeof w->across[0]) ||
             !grow_to(&w->weights, &w->weights_room, most * sets * CRT_LINE_ANCHORS,
                      sizeof(float)) ||
+            !grow_to(&w->lit, &w->lit_room, CRT_LINE_TOGETHER * most * sets, sizeof(bool)) ||
             !grow_to(&w->slots, &w->slots_room, most * sets, sizeof(int)) ||
             !grow_to(&w->pointers, &w->pointers_room, 2 * most * sets, sizeof(float *)))
             return false;
@@ -143,7 +144,8 @@ static void place_across(const struct working *w, const struct crt_line_row *row
         band.narrow[i] = place->spread[w->gun][at];
         band.amount[i] = place->amount[w->gun][at];
     }
-    w->pass->kernels->place(across, &band, (float)y, (float)sigma, (float)spread, (float)(1 / area));
+    w->pass->kernels->place(across, &band, (float)y, (float)sigma, (float)spread,
+                            (float)(1 / area));
 }
 
 /* Further off than this a set's light does not reach, mm. */
@@ -154,70 +156,67 @@ static double reach_of(const struct crt_line_row *row, int set, int sets)
     return row->reach_mm - CRT_LINE_CUT * row->place->most_spread * less;
 }
 
-/* Slots of rows of lines and sets that reach a row of cells, and their weights there. */
-static int weigh_rows(const struct working *w, int r, int slots[])
+/* Slots of rows of lines and sets that reach a row of cells, and their weights there; none before row of
+ * lines *first does. */
+static int weigh_rows(const struct working *w, int r, size_t *first)
 {
     const struct crt_line_pass *pass = w->pass;
     const int sets = pass->beams.sets;
-    double y = row_mm(&pass->grid, r), below = -(r - w->lo) * pass->grid.cell_mm;
+    double y = row_mm(&pass->grid, r);
+    float below = (float)(-(r - w->lo) * pass->grid.cell_mm);
     int count = 0;
-    for (size_t k = w->first; k < w->end; k++)
+    while (*first < w->end && (double)pass->row[*first].y > y + pass->reach_mm)
+        ++*first;
+    for (size_t k = *first; k < w->end && (double)pass->row[k].y >= y - pass->reach_mm; k++)
         for (int set = 0; set < sets; set++) {
-            int slot = (int)(k - w->first) * sets + set;
-            if (fabs((double)pass->row[k].y - y) > reach_of(&pass->row[k], set, sets))
-                continue;
-            pass->kernels->weigh(&w->worker->across[slot], (float)below,
-                                 w->worker->weights + (size_t)slot * CRT_LINE_ANCHORS);
-            slots[count++] = slot;
+            size_t slot = (k - w->first) * (size_t)sets + (size_t)set;
+            if (fabs((double)pass->row[k].y - y) <= reach_of(&pass->row[k], set, sets) &&
+                pass->kernels->weigh(&w->worker->across[slot], below,
+                                     w->worker->weights + slot * CRT_LINE_ANCHORS))
+                w->worker->slots[count++] = (int)slot;
         }
     return count;
 }
 
-/* The rows of cells of one gun's targets. */
-static void spread_rows(const struct working *w, const bool *lit)
+/* One row of cells of one target. */
+static void spread_row(const struct working *w, int r, int t, int near)
 {
     const struct crt_line_pass *pass = w->pass;
     const int sets = pass->beams.sets;
-    size_t rows = w->end - w->first, all = rows * (size_t)sets;
+    size_t all = (w->end - w->first) * (size_t)sets;
     const float **weights = w->worker->pointers, **lines = weights + all;
-    int *slots = w->worker->slots;
-    for (size_t k = 0; k < all; k++)
-        place_across(w, &pass->row[w->first + k / (size_t)sets], (int)(k % (size_t)sets),
-                     &w->worker->across[k]);
-    for (int r = w->lo; r < w->hi; r++) {
-        int near = weigh_rows(w, r, slots);
-        for (int t = 0; t < w->targets; t++) {
-            int count = 0;
-            for (int i = 0; i < near; i++) {
-                if (!lit[(size_t)t * all + (size_t)slots[i]])
-                    continue;
-                weights[count] = w->worker->weights + (size_t)slots[i] * CRT_LINE_ANCHORS;
-                lines[count++] =
-                    line_at(w, t, w->first + (size_t)(slots[i] / sets), slots[i] % sets);
-            }
-            if (count > 0)
-                pass->kernels->spread(lines, weights, count, w->cols, pass->even,
-                                      pass->target[w->target[t]].cells +
-                                          (size_t)r * (size_t)pass->grid.cols + (size_t)w->col);
-        }
+    const struct crt_line_target *target = &pass->target[w->target[t]];
+    float *cells = target->cells + (size_t)r * (size_t)pass->grid.cols + (size_t)w->col;
+    int count = 0;
+    for (int i = 0; i < near; i++) {
+        size_t slot = (size_t)w->worker->slots[i];
+        if (!w->worker->lit[(size_t)t * all + slot])
+            continue;
+        weights[count] = w->worker->weights + slot * CRT_LINE_ANCHORS;
+        lines[count++] = line_at(w, t, w->first + slot / (size_t)sets, (int)(slot % (size_t)sets));
     }
+    if (count > 0)
+        pass->kernels->spread(lines, weights, count, w->cols, pass->even, target->fresh, cells);
+    else if (target->fresh)
+        memset(cells, 0, (size_t)w->cols * sizeof cells[0]);
 }
 
 static void work_targets(const struct working *w)
 {
-    size_t rows = w->end - w->first, sets = (size_t)w->pass->beams.sets;
-    bool *lit = calloc((size_t)w->targets * rows * sets, sizeof *lit);
-    bool any = false;
-    if (!lit)
-        return;
+    const size_t rows = w->end - w->first, sets = (size_t)w->pass->beams.sets;
+    size_t first = w->first;
+    bool *lit = w->worker->lit;
     for (int t = 0; t < w->targets; t++)
         for (size_t k = w->first; k < w->end; k++)
             for (size_t set = 0; set < sets; set++)
-                any |= lit[((size_t)t * rows + (k - w->first)) * sets + set] =
-                    combine_row(w, t, k, (int)set);
-    if (any)
-        spread_rows(w, lit);
-    free(lit);
+                *lit++ = combine_row(w, t, k, (int)set);
+    for (size_t k = 0; k < rows * sets; k++)
+        place_across(w, &w->pass->row[w->first + k / sets], (int)(k % sets), &w->worker->across[k]);
+    for (int r = w->lo; r < w->hi; r++) {
+        int near = weigh_rows(w, r, &first);
+        for (int t = 0; t < w->targets; t++)
+            spread_row(w, r, t, near);
+    }
 }
 
 static void work_tile(struct working *w)
@@ -254,6 +253,17 @@ static void touch_planes(const struct working *w, struct crt_planes *planes, uin
         crt_planes_touch(planes, w->lo, w->hi, left, right - 1, epoch);
 }
 
+/* No lines are near. */
+static void clear_fresh(const struct working *w)
+{
+    const struct crt_line_pass *pass = w->pass;
+    size_t cols = (size_t)pass->grid.cols;
+    for (int i = 0; i < pass->targets; i++)
+        if (pass->target[i].fresh)
+            memset(pass->target[i].cells + (size_t)w->lo * cols, 0,
+                   (size_t)(w->hi - w->lo) * cols * sizeof(float));
+}
+
 void crt_line_pass_band(const struct crt_line_pass *pass, int lo, int hi, int worker,
                         struct crt_planes *planes, uint64_t epoch)
 {
@@ -261,8 +271,10 @@ void crt_line_pass_band(const struct crt_line_pass *pass, int lo, int hi, int wo
         struct working w = {.pass = pass, .worker = &pass->worker[worker], .lo = row};
         w.hi = row + CRT_LINE_STEP < hi ? row + CRT_LINE_STEP : hi;
         lines_near(pass, w.lo, w.hi, &w.first, &w.end);
-        if (w.first == w.end)
+        if (w.first == w.end) {
+            clear_fresh(&w);
             continue;
+        }
         if (pass->planes > 0)
             touch_planes(&w, planes, epoch);
         for (w.col = 0; w.col < pass->grid.cols; w.col += CRT_LINE_TILE) {

@@ -145,6 +145,10 @@ static bool make_level(struct crt_line_spot *spot, int index)
     double sigma = spot->sigma_dots * crt_exp((index - CRT_LEVEL_BASE) / CRT_LEVEL_STEPS);
     level->reach = (int)floor(CRT_LINE_CUT * sigma + 0.5);
     level->pairs = level->reach + 1;
+    if (level->pairs < 4) { /* what kernels are made for */
+        level->reach = 3;
+        level->pairs = 4;
+    }
     level->stride = (level->pairs * 6 + 15) / 16 * 16;
     int phases = (1 << spot->phase_bits) + 1;
     level->kernel = calloc((size_t)phases * (size_t)level->stride, sizeof level->kernel[0]);
@@ -449,18 +453,11 @@ static void set_amplifier(const struct crt_line_beams *beams, struct crt_line_be
     b->table[1] = beams->table[1];
 }
 
-static bool same_way(const struct crt_line_way *a, const struct crt_line_way *b)
-{
-    return a->x0 == b->x0 && a->x1 == b->x1 && a->dots == b->dots && a->lit == b->lit &&
-           a->knobs.brightness == b->knobs.brightness && a->knobs.contrast == b->knobs.contrast &&
-           a->knobs.focus == b->knobs.focus;
-}
-
 struct crt_line_beam *crt_line_beam_find(struct crt_line_beams *beams,
                                          const struct crt_line_way *way)
 {
     for (size_t i = 0; i < beams->beams; i++)
-        if (same_way(&beams->beam[i]->way, way)) {
+        if (crt_line_same_way(&beams->beam[i]->way, way)) {
             beams->beam[i]->used = beams->beam[i]->course->used = beams->turn;
             return beams->beam[i];
         }

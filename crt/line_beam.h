@@ -30,10 +30,10 @@
 
 #define CRT_LINE_SETS  2 /* spots that the mixture is made of */
 #define CRT_LINE_CUT   4.0
-#define CRT_LINE_EDGE 3.35462627902511839e-4F /* e^(−CUT²/2) */
-#define CRT_WIDEST_DOT 1.5 /* sigma */
-#define CRT_LINE_NODES 24  /* at most */
-#define CRT_LINE_SEG   8   /* columns of one sigma */
+#define CRT_LINE_EDGE  3.35462627902511839e-4F /* e^(−CUT²/2) */
+#define CRT_WIDEST_DOT 1.5                     /* sigma */
+#define CRT_LINE_NODES 24                      /* at most */
+#define CRT_LINE_SEG   8                       /* columns of one sigma */
 #define CRT_LINE_ANCHOR                                                                            \
     32 /* columns between which what varies over the screen is a straight line */
 #define CRT_SIGMA_LEVELS 8192 /* of sigma: e^(n/CRT_LEVEL_STEPS) */

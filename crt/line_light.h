@@ -39,8 +39,9 @@ struct crt_line_source {
 };
 
 /* Columns that are worked on together: the lines of a band stay in the cache. */
-#define CRT_LINE_TILE    512
-#define CRT_LINE_ANCHORS (CRT_LINE_TILE / CRT_LINE_ANCHOR + CRT_STRIP_LINES) /* one more than needed, in eights */
+#define CRT_LINE_TILE 512
+#define CRT_LINE_ANCHORS                                                                           \
+    (CRT_LINE_TILE / CRT_LINE_ANCHOR + CRT_STRIP_LINES) /* one more than needed, in eights */
 
 /* A line across, at the anchors of a tile: where it lies, the inverse of sigma, and its light. */
 struct crt_line_across {
@@ -59,12 +60,12 @@ struct crt_line_kernels {
      * `sigma` mm, wider by `wider`. */
     void (*place)(struct crt_line_across *line, const struct crt_line_across *band, float y,
                   float sigma, float wider, float amount);
-    /* Weights of a line in the row of cells at y, for the anchors of a tile. */
-    void (*weigh)(const struct crt_line_across *line, float y, float *weights);
-    /* Adds lines, each times its weight, to a row of cells, cols in eights. Weights are straight lines
+    /* Weights of a line in the row of cells at y, for the anchors of a tile; false: all are 0. */
+    bool (*weigh)(const struct crt_line_across *line, float y, float *weights);
+    /* Adds lines, each times its weight, to a row of cells that may be fresh, cols in eights. Weights are straight lines
      * between anchors, or the same everywhere. */
     void (*spread)(const float *const lines[], const float *const weights[], int count, int cols,
-                   bool even, float *cells);
+                   bool even, bool fresh, float *cells);
 };
 
 extern const struct crt_line_kernels crt_line_kernels_baseline;

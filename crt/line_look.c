@@ -194,7 +194,7 @@ double crt_lines_stored(const struct crt_tube *tube)
     for (int gun = 0; gun < guns; gun++) {
         all_terms(&before[gun], tube, gun, tube->quick, tube->begin);
         all_terms(&now[gun], tube, gun, UINT32_MAX, tube->now);
-        target[gun] = (struct crt_line_target){sum, gun};
+        target[gun] = (struct crt_line_target){.cells = sum, .gun = gun};
     }
     struct crt_line_pass *pass = tube->line_pass;
     crt_line_pass_begin(pass, target, guns, 0);

@@ -10,12 +10,16 @@
 #ifndef CRT_LINE_PARTS_H
 #define CRT_LINE_PARTS_H
 
+#include "crt/line_memory.h"
 #include "crt/line_pass.h"
 
 /* Rows of cells, of one band, worked on together. */
 #define CRT_LINE_STEP 64
 /* Targets of one gun worked on together. */
 #define CRT_LINE_TOGETHER 4
+
+/* Lines that give a target less than this part of what the brightest gives it are left out. */
+#define CRT_LINE_FAINT 1e-5
 
 enum crt_line_kind {
     CRT_LINE_NONE,
@@ -73,6 +77,8 @@ struct crt_line_worker {
     size_t pointers_room;
     int *slots;
     size_t slots_room;
+    bool *lit; /* [target together][row][set] */
+    size_t lit_room;
 };
 
 struct crt_line_pass {
@@ -81,8 +87,9 @@ struct crt_line_pass {
     const struct crt_line_kernels *kernels;
     struct crt_line_worker *worker;
     int workers;
-    bool even;   /* nothing varies over the screen */
-    double area; /* crt_line_area() */
+    struct crt_strip_memory *memory; /* NULL: none */
+    bool even;                       /* nothing varies over the screen */
+    double area;                     /* crt_line_area() */
     /* the running pass */
     struct crt_line_target target[CRT_MAX_TARGETS];
     int targets, planes; /* planes come first */

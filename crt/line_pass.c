@@ -10,7 +10,7 @@
 struct crt_line_pass *crt_line_pass_create(const struct crt_tube_row *row,
                                            const struct crt_phosphor *phosphor,
                                            const struct crt_grid *grid, int workers,
-                                           enum crt_simd simd, struct crt_error *err)
+                                           enum crt_simd simd, bool reuse, struct crt_error *err)
 {
     struct crt_line_pass *pass = calloc(1, sizeof *pass);
     if (pass)
@@ -22,6 +22,7 @@ struct crt_line_pass *crt_line_pass_create(const struct crt_tube_row *row,
     }
     pass->workers = workers;
     pass->grid = *grid;
+    pass->memory = reuse ? crt_strip_memory_create() : NULL;
     pass->kernels = &crt_line_kernels_baseline;
 #if defined(__x86_64__)
     if (simd != CRT_SIMD_BASELINE && __builtin_cpu_supports("avx2"))
@@ -49,8 +50,10 @@ void crt_line_pass_destroy(struct crt_line_pass *pass)
         free(pass->worker[i].weights);
         free(pass->worker[i].across);
         free(pass->worker[i].slots);
+        free(pass->worker[i].lit);
     }
     crt_line_pass_end(pass);
+    crt_strip_memory_destroy(pass->memory);
     crt_line_beams_free(&pass->beams);
     free(pass->worker);
     free(pass->entry);
@@ -306,7 +309,7 @@ static bool settle_entry(struct crt_line_pass *pass, struct crt_line_entry *e)
         double bright = pass->brightest[i];
         if (w->kind == CRT_LINE_NONE)
             continue;
-        if (w->kind == CRT_LINE_WHOLE && w->fit.mean * w->peak < 1e-6 * bright) {
+        if (w->kind == CRT_LINE_WHOLE && w->fit.mean * w->peak < CRT_LINE_FAINT * bright) {
             w->kind = CRT_LINE_NONE;
             continue;
         }
@@ -382,7 +385,8 @@ static bool make_glows(struct crt_line_pass *pass, struct crt_pool *pool)
     for (size_t i = 0; i < pass->entries; i++) {
         const struct crt_line_entry *e = &pass->entry[i];
         struct crt_strip *strip = e->line->strip;
-        if (!e->used || strip->glow || strip->closed)
+        if (!e->used || strip->glow || strip->closed ||
+            crt_strip_recall(pass->memory, strip, pass->beams.guns))
             continue;
         if (!grow(&pass->make, &pass->make_room, pass->makes, sizeof pass->make[0]))
             return false;
@@ -393,6 +397,8 @@ static bool make_glows(struct crt_line_pass *pass, struct crt_pool *pool)
     for (size_t i = 0; i < pass->makes; i++) {
         ok &= pass->make[i].ok;
         pass->make[i].strip->closed = pass->make[i].ok;
+        if (pass->make[i].ok)
+            crt_strip_remember(pass->memory, pass->make[i].strip);
     }
     return ok;
 }
@@ -421,4 +427,5 @@ void crt_line_pass_end(struct crt_line_pass *pass)
         crt_glow_release(pass->glow[i]);
     pass->glows = pass->entries = pass->rows = 0;
     crt_line_beams_trim(&pass->beams);
+    crt_strip_memory_turn(pass->memory);
 }

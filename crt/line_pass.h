@@ -25,13 +25,14 @@ struct crt_line_pass;
 struct crt_line_pass *crt_line_pass_create(const struct crt_tube_row *row,
                                            const struct crt_phosphor *phosphor,
                                            const struct crt_grid *grid, int workers,
-                                           enum crt_simd simd, struct crt_error *err);
+                                           enum crt_simd simd, bool reuse, struct crt_error *err);
 void crt_line_pass_destroy(struct crt_line_pass *pass);
 
 /* A receiver's cells and the gun that lights it. */
 struct crt_line_target {
     float *cells;
     int gun;
+    bool fresh; /* cells hold nothing in particular */
 };
 
 void crt_line_pass_begin(struct crt_line_pass *pass, const struct crt_line_target *targets,

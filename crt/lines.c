@@ -67,7 +67,7 @@ void crt_strip_release(struct crt_strip *strip)
     free(strip);
 }
 
-static bool same_way(const struct crt_line_way *a, const struct crt_line_way *b)
+bool crt_line_same_way(const struct crt_line_way *a, const struct crt_line_way *b)
 {
     return a->x0 == b->x0 && a->x1 == b->x1 && a->dots == b->dots && a->lit == b->lit &&
            a->knobs.brightness == b->knobs.brightness && a->knobs.contrast == b->knobs.contrast &&
@@ -80,7 +80,7 @@ static struct crt_strip *strip_for(struct crt_lines *lines, const struct crt_lin
 {
     struct crt_strip *open = lines->open;
     if (open && !open->closed && open->lines < CRT_STRIP_LINES && open->band == band &&
-        same_way(&open->way, way))
+        crt_line_same_way(&open->way, way))
         return open;
     struct crt_strip *strip = new_strip(way, band, guns);
     if (!strip)

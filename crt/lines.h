@@ -65,6 +65,7 @@ struct crt_lines {
     struct crt_strip *open;      /* the strip that lines are added to; it is held */
 };
 
+bool crt_line_same_way(const struct crt_line_way *a, const struct crt_line_way *b);
 /* Height of the bands of lines of a way, mm. */
 double crt_line_band(const struct crt_tube_row *row, const struct crt_line_way *way);
 /* Time lit, rounded to one part in some thousands: rounded times of lines differ by 1 ps. */

@@ -266,9 +266,18 @@ static void work_line_band(void *context, int band, int worker)
     struct crt_tube *tube = pass->tube;
     int lo = band * pass->band_rows, end = lo + pass->band_rows;
     int hi = end < pass->rows ? end : pass->rows;
-    if (pass->feeds > 0)
+    if (pass->feeds > 0 && tube->planes.count > 0)
         expose_band(pass, lo, hi);
     crt_line_pass_band(tube->line_pass, lo, hi, worker, &tube->planes, tube->planes.epoch + 1);
+}
+
+/* Films without planes are not cleared first: lines write all of their cells. */
+static bool is_fresh(const struct crt_pass *pass, int receiver)
+{
+    const struct crt_tube *tube = pass->tube;
+    int colours = tube->desc.phosphor->colours;
+    return tube->planes.count == 0 && receiver >= pass->planes &&
+           pass->feed[(receiver - pass->planes) / colours].blank;
 }
 
 /* Lines of both epochs that begin before `end`. */
@@ -286,7 +295,8 @@ static bool plan_lines(struct crt_pass *pass, uint64_t end)
     pass->receivers = pass->planes;
     add_films(pass, UINT32_MAX);
     for (int i = 0; i < pass->receivers; i++)
-        target[i] = (struct crt_line_target){pass->receiver[i].cells, gun_of(pass, i)};
+        target[i] =
+            (struct crt_line_target){pass->receiver[i].cells, gun_of(pass, i), is_fresh(pass, i)};
     crt_line_pass_begin(tube->line_pass, target, pass->receivers, pass->planes);
     return crt_line_pass_add(tube->line_pass, &tube->lines.before, pass->earlier, late, earlier, 0,
                              tube->begin) &&

@@ -93,7 +93,7 @@ struct crt_tube *crt_tube_create(const struct crt_tube_desc *desc, struct crt_er
     }
     if (ok && desc->row->kind == CRT_RASTER_TUBE) {
         tube->line_pass = crt_line_pass_create(desc->row, desc->phosphor, &desc->grid,
-                                               desc->threads, desc->simd, err);
+                                               desc->threads, desc->simd, !desc->no_reuse, err);
         if (!tube->line_pass) {
             crt_tube_destroy(tube);
             return NULL;

@@ -15,8 +15,9 @@
 #define ROUNDS   12
 
 struct mode {
-    int dots, lines, total, fields; /* total: dots of a line with its retrace; fields: lines of a field */
-    uint64_t hz;                    /* dots a second */
+    int dots, lines, total,
+        fields;  /* total: dots of a line with its retrace; fields: lines of a field */
+    uint64_t hz; /* dots a second */
 };
 
 static const struct mode xga = {1024, 768, 1344, 806, 65000000};
@@ -39,7 +40,8 @@ struct contest {
 };
 
 /* Text on the left, something like a photograph on the right, both moving; or dots at random. */
-static uint8_t dot_of(const struct mode *m, int picture, int gun, int x, int y, uint32_t *seed, bool noise)
+static uint8_t dot_of(const struct mode *m, int picture, int gun, int x, int y, uint32_t *seed,
+                      bool noise)
 {
     uint32_t r = model_random(seed);
     if (noise)
@@ -47,7 +49,8 @@ static uint8_t dot_of(const struct mode *m, int picture, int gun, int x, int y, 
     if (x < m->dots * 6 / 10) {
         int row = (y + 3 * picture) / 16, line = (y + 3 * picture) % 16, col = x / 9;
         uint32_t glyph = ((uint32_t)(row * 131 + col * 17 + picture) * 2654435761u) >> 7;
-        bool ink = line > 2 && line < 13 && x % 9 > 0 && (glyph >> (line / 2 * 3 + x % 9 / 3) % 24 & 1);
+        bool ink =
+            line > 2 && line < 13 && x % 9 > 0 && (glyph >> (line / 2 * 3 + x % 9 / 3) % 24 & 1);
         return ink ? (uint8_t)(gun == 2 ? 160 : 230) : (uint8_t)(gun == 2 ? 60 : 0);
     }
     int wave = (x * (3 + gun) + y * 2 + picture * 5) % 512;
