@@ -6,38 +6,10 @@
  * equal `kinescope capture --film --hash`. Links neither libpng, GL, inih nor nettle, so that it can be built for any
  * machine with nothing but a C library.
  */
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 #include "crt/develop.h"
 #include "display_file/loaders.h"
 #include "emu/machine.h"
-
-static void put32(uint32_t v)
-{
-    putchar((int)(v >> 24 & 255));
-    putchar((int)(v >> 16 & 255));
-    putchar((int)(v >> 8 & 255));
-    putchar((int)(v & 255));
-}
-
-static int die(const char *sentence)
-{
-    fprintf(stderr, "film_bytes: %s\n", sentence);
-    return 1;
-}
-
-static char *slurp(const char *path, size_t *length)
-{
-    FILE *in = fopen(path, "rb");
-    if (in == NULL)
-        return NULL;
-    char *text = malloc(1u << 22);
-    *length = text != NULL ? fread(text, 1, 1u << 22, in) : 0;
-    fclose(in);
-    return text;
-}
+#include "tests/cross/bytes.h"
 
 int main(int argc, char **argv)
 {
@@ -84,19 +56,12 @@ int main(int argc, char **argv)
     struct crt_image image;
     if (!crt_develop(&film, phosphor, crt_auto_gain(row), 16, 1, &image, &err))
         return die(err.text);
-    put32((uint32_t)image.width);
-    put32((uint32_t)image.height);
-    put32(16);
-    const size_t samples = (size_t)image.width * (size_t)image.height * 3;
-    for (size_t i = 0; i < samples; i++) {
-        putchar(image.samples[i] >> 8);
-        putchar(image.samples[i] & 255);
-    }
+    bool written = put_image(&image);
     crt_image_free(&image);
     crt_film_free(&film);
     crt_tube_destroy(tube);
     df_program_free(&program);
     free(machine);
     free(text);
-    return fflush(stdout) == 0 ? 0 : die("could not write");
+    return written ? 0 : die("could not write");
 }

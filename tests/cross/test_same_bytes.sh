@@ -48,14 +48,17 @@ esac
 # Another film, of light in two layers, for the compilers.
 "$KINESCOPE" asm roms/colours.df -o "$out/colours.oct" || exit 1
 coloured=$("$KINESCOPE" capture roms/colours.df --at 0.6s --film --depth 16 --hash -o "$out/film.png" | cut -d' ' -f1)
+# And one of the raster head, of three guns.
+raster=$("$KINESCOPE" capture roms/pattern.elf --view raster --at 0.5s --film --depth 16 --hash -o "$out/film.png" | cut -d' ' -f1)
 firmware=roms/clock.elf refreshes=1000
-# What a film and a trace need, without libpng, GL, inih and nettle; the AVX2 kernels on x86-64 only.
+# What a film and a trace need, without libpng, GL, inih, nettle and libxcvt; the AVX2 kernels on x86-64 only.
 sources="$(ls crt/*.c display_file/*.c | grep -vE '_avx2|png|glass|gl_|ini|image_hash|catalogue|beam_read')
+    $(ls raster/*.c | grep -vE 'mode_(cvt|parse)')
     $(ls emu/machine*.c emu/cpu/*.c emu/board/*.c) emu/flow.c emu/refresh.c emu/console.c emu/trace_lines.c"
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -I. -pthread"
-compile() { # COMPILER...: its objects, then both programs
+compile() { # COMPILER...: its objects, then the programs
     rm -rf "$out/objects"
-    for source in $sources tests/cross/film_bytes.c tests/cross/trace_bytes.c; do
+    for source in $sources tests/cross/*_bytes.c; do
         mkdir -p "$out/objects/$(dirname "$source")"
         # shellcheck disable=SC2086
         "$@" $flags -c -o "$out/objects/${source%.c}.o" "$source" || return 1
@@ -69,7 +72,7 @@ compile() { # COMPILER...: its objects, then both programs
         ;;
     esac
     objects=$(find "$out/objects" -name '*.o' ! -path '*/cross/*' | sort)
-    for main in film_bytes trace_bytes; do
+    for main in film_bytes raster_bytes trace_bytes; do
         # shellcheck disable=SC2086
         "$@" $flags -o "$out/$main" "$out/objects/tests/cross/$main.o" $objects -lm || return 1
     done
@@ -82,6 +85,8 @@ cross() { # NAME RUNNER COMPILER...
         check "$name: film" "$($runner "$out/film_bytes" "$out/program.oct" VR17 $at_ps 2 | sum)"
         film=$want want=$coloured
         check "$name: film in colours" "$($runner "$out/film_bytes" "$out/colours.oct" PENET17 600000000000 2 | sum)"
+        want=$raster
+        check "$name: film of the raster head" "$($runner "$out/raster_bytes" roms/pattern.elf COLOR17 500000000000 2 | sum)"
         want=$film
         trace=$($runner "$out/trace_bytes" $firmware $refreshes | sum)
         if [ -n "$first" ]; then

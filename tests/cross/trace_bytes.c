@@ -7,36 +7,17 @@
  * trace` does, until so many refreshes are complete; then the processor's registers. Links no library
  * but C's.
  */
-#include <stdio.h>
-#include <stdlib.h>
-
 #include "emu/trace_lines.h"
+#include "tests/cross/bytes.h"
 
 #define LIMIT (600 * CRT_PS_PER_S)
-
-static int die(const char *sentence)
-{
-    fprintf(stderr, "trace_bytes: %s\n", sentence);
-    return 1;
-}
-
-static uint8_t *slurp(const char *path, size_t *length)
-{
-    FILE *in = fopen(path, "rb");
-    uint8_t *bytes = malloc(1u << 20);
-    if (in == NULL || bytes == NULL)
-        return NULL;
-    *length = fread(bytes, 1, 1u << 20, in);
-    fclose(in);
-    return bytes;
-}
 
 /* Lines of words and of interrupts at once. */
 static void print_refreshes(struct vm_machine *m, uint64_t refreshes)
 {
     struct vm_trace_lines words, lines;
-    vm_trace_lines_init(&words, VM_TRACE_DPU, stdout, m->desc.board);
-    vm_trace_lines_init(&lines, VM_TRACE_IRQ, stdout, m->desc.board);
+    vm_trace_lines_init(&words, VM_TRACE_DPU, stdout, m);
+    vm_trace_lines_init(&lines, VM_TRACE_IRQ, stdout, m);
     struct vm_hooks hooks = words.hooks;
     hooks.line = lines.hooks.line; /* both want no more of their context than the stream */
     while (m->refreshes.last.number < refreshes && m->now < LIMIT)
@@ -50,10 +31,11 @@ int main(int argc, char **argv)
     size_t length = 0;
     if (argc != 3)
         return die("usage: trace_bytes FILE.elf REFRESHES");
-    uint8_t *bytes = slurp(argv[1], &length);
+    char *bytes = slurp(argv[1], &length);
     const struct crt_tube_row *row = crt_tube_row_find("VR17");
     struct vm_machine *m = malloc(sizeof *m);
-    if (bytes == NULL || m == NULL || !vm_elf_parse(&elf, argv[1], bytes, length, &err))
+    if (bytes == NULL || m == NULL ||
+        !vm_elf_parse(&elf, argv[1], (const uint8_t *)bytes, length, &err))
         return die("not a program");
     struct vm_board *board = vm_board_create((struct crt_rate){VM_CPU_HZ, 1}, NULL, &err);
     if (board == NULL)
