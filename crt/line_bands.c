@@ -126,16 +126,15 @@ static bool combine_row(const struct working *w, int index, size_t row, int set)
     return lit;
 }
 
-/* Where a row of lines lies at the tile's anchors, from the first row of cells on. */
+/* Where a row of lines lands at the tile's anchors: all but what weigh_rows adds. */
 static void place_across(const struct working *w, const struct crt_line_row *row, int set,
                          struct crt_line_across *across)
 {
     const struct crt_line_place *place = row->place;
     const struct crt_optics *o = &w->pass->beams.optics;
     double own = (double)row->y, more = o->per_mm2 * (own * own - place->y_mm * place->y_mm);
-    double landing = o->way_y[w->gun] * o->converge_edge * more, spread = o->edge * more;
+    double spread = o->edge * more;
     double sigma = row->course->spot[set]->sigma_mm, area = w->pass->area;
-    double y = own + landing - row_mm(&w->pass->grid, w->lo);
     int anchor = w->col / CRT_LINE_ANCHOR, last = w->pass->grid.cols / CRT_LINE_ANCHOR + 1;
     struct crt_line_across band;
     for (int i = 0; i < CRT_LINE_ANCHORS; i++) {
@@ -144,8 +143,7 @@ static void place_across(const struct working *w, const struct crt_line_row *row
         band.narrow[i] = place->spread[w->gun][at];
         band.amount[i] = place->amount[w->gun][at];
     }
-    w->pass->kernels->place(across, &band, (float)y, (float)sigma, (float)spread,
-                            (float)(1 / area));
+    w->pass->kernels->place(across, &band, (float)sigma, (float)spread, (float)(1 / area));
 }
 
 /* Further off than this a set's light does not reach, mm. */
@@ -156,6 +154,14 @@ static double reach_of(const struct crt_line_row *row, int set, int sets)
     return row->reach_mm - CRT_LINE_CUT * row->place->most_spread * less;
 }
 
+/* Of a row of lines, but for what varies along it. */
+static double lands_at(const struct working *w, const struct crt_line_row *row)
+{
+    const struct crt_optics *o = &w->pass->beams.optics;
+    double own = (double)row->y, middle = row->place->y_mm;
+    return own + o->way_y[w->gun] * o->converge_edge * o->per_mm2 * (own * own - middle * middle);
+}
+
 /* Slots of rows of lines and sets that reach a row of cells, and their weights there; none before row of
  * lines *first does. */
 static int weigh_rows(const struct working *w, int r, size_t *first)
@@ -163,18 +169,19 @@ static int weigh_rows(const struct working *w, int r, size_t *first)
     const struct crt_line_pass *pass = w->pass;
     const int sets = pass->beams.sets;
     double y = row_mm(&pass->grid, r);
-    float below = (float)(-(r - w->lo) * pass->grid.cell_mm);
     int count = 0;
     while (*first < w->end && (double)pass->row[*first].y > y + pass->reach_mm)
         ++*first;
-    for (size_t k = *first; k < w->end && (double)pass->row[k].y >= y - pass->reach_mm; k++)
+    for (size_t k = *first; k < w->end && (double)pass->row[k].y >= y - pass->reach_mm; k++) {
+        float above = (float)(y - lands_at(w, &pass->row[k]));
         for (int set = 0; set < sets; set++) {
             size_t slot = (k - w->first) * (size_t)sets + (size_t)set;
             if (fabs((double)pass->row[k].y - y) <= reach_of(&pass->row[k], set, sets) &&
-                pass->kernels->weigh(&w->worker->across[slot], below,
+                pass->kernels->weigh(&w->worker->across[slot], above,
                                      w->worker->weights + slot * CRT_LINE_ANCHORS))
                 w->worker->slots[count++] = (int)slot;
         }
+    }
     return count;
 }
 

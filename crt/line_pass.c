@@ -170,8 +170,9 @@ static bool near_grid(const struct crt_line_pass *pass, const struct crt_line *l
     double blur = sqrt(1 + way->knobs.focus * way->knobs.focus);
     double sigma = pass->beams.sigma_mm[pass->beams.sets - 1] * blur * (1 + o->edge * r2);
     double reach = CRT_LINE_CUT * sigma + o->converge + o->converge_edge * r2;
-    return sigma / g->cell_mm <= CRT_WIDEST && y > low - reach && y < g->top_mm + reach &&
-           (double)way->x1 > g->left_mm - reach &&
+    return sigma / g->cell_mm <= CRT_WIDEST &&
+           sigma * way->dots <= CRT_MOST_DOTS * ((double)way->x1 - (double)way->x0) &&
+           y > low - reach && y < g->top_mm + reach && (double)way->x1 > g->left_mm - reach &&
            (double)way->x0 < g->left_mm + g->cols * g->cell_mm + reach;
 }
 
