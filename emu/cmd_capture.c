@@ -113,7 +113,7 @@ static bool write_picture(struct vm_capture *c, const struct vm_frame *frame, ui
         ok = ok && vm_y4m_frame(&c->y4m, &image, err);
     } else {
         ok = vm_frame_name(c->o.out, c->sequence, number, name, sizeof name, err) &&
-             vm_picture_write(name, &image, c->input.name, &c->settings, frame, err);
+             vm_picture_write(name, &image, c->input.name, &c->settings, c->view, frame, err);
     }
     crt_image_free(&image);
     return ok;

@@ -143,7 +143,7 @@ static void screenshot(struct vm_show *show)
     bool ok = vm_show_picture(show, &image, &err);
     if (ok) {
         ok = vm_picture_write(name, &image, show->program->input.name, &show->program->settings,
-                              &show->program->frame, &err);
+                              show->view_drawn, &show->program->frame, &err);
         crt_image_free(&image);
     }
     snprintf(text, sizeof text, "screenshot %s", name);
