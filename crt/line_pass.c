@@ -335,11 +335,24 @@ static bool settle_entry(struct crt_line_pass *pass, struct crt_line_entry *e)
     return true;
 }
 
+static bool repeats(const struct crt_line_entry *a, const struct crt_line_entry *b, int guns)
+{
+    const struct crt_strip *x = a->line->strip, *y = b->line->strip;
+    size_t dots = (size_t)x->way.dots;
+    if (!a->used || !crt_line_same_way(&x->way, &y->way))
+        return false;
+    for (int gun = 0; gun < guns; gun++)
+        if (memcmp(x->drive + (size_t)(gun * CRT_STRIP_LINES + a->line->lane) * dots,
+                   y->drive + (size_t)(gun * CRT_STRIP_LINES + b->line->lane) * dots, dots) != 0)
+            return false;
+    return true;
+}
+
 /* Lines of one place and way go to one row. */
 static bool make_rows(struct crt_line_pass *pass)
 {
     for (size_t i = 0; i < pass->entries; i++) {
-        const struct crt_line_entry *e = &pass->entry[i];
+        struct crt_line_entry *e = &pass->entry[i];
         if (!e->used)
             continue;
         struct crt_line_row *row = pass->rows ? &pass->row[pass->rows - 1] : NULL;
@@ -355,6 +368,8 @@ static bool make_rows(struct crt_line_pass *pass)
                             e->place->most_landing * 1.01;
             pass->reach_mm = fmax(pass->reach_mm, row->reach_mm);
         }
+        e->repeats = row->end == i && row->end > row->first &&
+                     repeats(&pass->entry[i - 1], e, pass->beams.guns);
         row->end = i + 1;
     }
     return true;
