@@ -158,15 +158,6 @@ static void place_across(const struct working *w, const struct crt_line_row *row
         band.amount[i] = place->amount[w->gun][at];
     }
     w->pass->kernels->place(across, &band, (float)sigma, (float)spread, (float)(1 / area));
-    double least = 1e30, most = -1e30, widest = 0;
-    for (int i = 0; i < CRT_LINE_ANCHORS; i++) {
-        least = fmin(least, (double)band.at[i]);
-        most = fmax(most, (double)band.at[i]);
-        widest = fmax(widest, (double)band.narrow[i]);
-    }
-    double reach = CRT_LINE_CUT * sigma * (widest + spread) * 1.001;
-    across->low = (float)(least - reach);
-    across->high = (float)(most + reach);
 }
 
 /* Of a row of lines, but for what varies along it. */

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The same film bytes from gcc and clang, baseline and AVX2, 1, 2 and 4 threads, x86-64 and aarch64; and
+# The same film bytes of strokes and scan lines from gcc and clang, baseline and AVX2, 1, 2 and 4 threads, x86-64 and
+# aarch64; and
 # of firmware that rewrites its display file while it is refreshed the same trace of 1000 refreshes.
 # What is not installed is skipped, visibly.
 set -u
@@ -52,7 +53,7 @@ sources="$(ls crt/*.c display_file/*.c | grep -vE '_avx2|png|glass|gl_|ini|image
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -I. -pthread"
 compile() { # COMPILER...: its objects, then both programs
     rm -rf "$out/objects"
-    for source in $sources tests/cross/film_bytes.c tests/cross/trace_bytes.c; do
+    for source in $sources tests/support/line_model.c tests/cross/film_bytes.c tests/cross/trace_bytes.c; do
         mkdir -p "$out/objects/$(dirname "$source")"
         # shellcheck disable=SC2086
         "$@" $flags -c -o "$out/objects/${source%.c}.o" "$source" || return 1
@@ -77,6 +78,14 @@ cross() { # NAME RUNNER COMPILER...
     shift 2
     if compile "$@"; then
         check "$name: film" "$($runner "$out/film_bytes" "$out/program.oct" VR17 $at_ps 2 | sum)"
+        lines=$($runner "$out/film_bytes" lines | sum)
+        if [ -n "$first" ]; then
+            film=$want want=$first_lines
+            check "$name: scan lines as from $first_name" "$lines"
+            want=$film
+        else
+            first_lines=$lines
+        fi
         trace=$($runner "$out/trace_bytes" $firmware $refreshes | sum)
         if [ -n "$first" ]; then
             film=$want want=$first
