@@ -170,9 +170,11 @@ static bool near_grid(const struct crt_line_pass *pass, const struct crt_line *l
     double blur = sqrt(1 + way->knobs.focus * way->knobs.focus);
     double sigma = pass->beams.sigma_mm[pass->beams.sets - 1] * blur * (1 + o->edge * r2);
     double reach = CRT_LINE_CUT * sigma + o->converge + o->converge_edge * r2;
+    double length = (double)way->x1 - (double)way->x0;
     return sigma / g->cell_mm <= CRT_WIDEST &&
-           sigma * way->dots <= CRT_MOST_DOTS * ((double)way->x1 - (double)way->x0) &&
-           y > low - reach && y < g->top_mm + reach && (double)way->x1 > g->left_mm - reach &&
+           length <= CRT_MOST_PARTS * CRT_WIDEST_DOT * pass->beams.sigma_mm[0] * blur * way->dots &&
+           sigma * way->dots <= CRT_MOST_DOTS * length && y > low - reach &&
+           y < g->top_mm + reach && (double)way->x1 > g->left_mm - reach &&
            (double)way->x0 < g->left_mm + g->cols * g->cell_mm + reach;
 }
 
@@ -220,7 +222,8 @@ static int by_place(const void *a, const void *b)
 
 static void sort_entries(struct crt_line_pass *pass)
 {
-    qsort(pass->entry, pass->entries, sizeof pass->entry[0], by_place);
+    if (pass->entries > 1)
+        qsort(pass->entry, pass->entries, sizeof pass->entry[0], by_place);
 }
 
 /* Fewer stretches than this tell how a share changes along a line. */
