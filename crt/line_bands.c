@@ -111,6 +111,12 @@ static bool combine_entry(const struct working *w, const struct crt_line_entry *
     return true;
 }
 
+static const struct crt_line_weight *weight_of(const struct working *w, int index,
+                                               const struct crt_line_entry *e)
+{
+    return &w->pass->weight[e->weight + (size_t)w->target[index]];
+}
+
 /* The light of a row of lines in one target along the tile; false: none. */
 static bool combine_row(const struct working *w, int index, size_t row, int set)
 {
@@ -119,9 +125,17 @@ static bool combine_row(const struct working *w, int index, size_t row, int set)
     bool lit = false;
     for (size_t i = pass->row[row].first; i < pass->row[row].end; i++) {
         const struct crt_line_entry *e = &pass->entry[i];
-        const struct crt_line_weight *weight = &pass->weight[e->weight + (size_t)w->target[index]];
-        if (e->used && weight->kind != CRT_LINE_NONE)
-            lit |= combine_entry(w, e, weight, set, to, lit);
+        struct crt_line_weight weight = *weight_of(w, index, e);
+        if (!e->used || weight.kind == CRT_LINE_NONE)
+            continue;
+        while (weight.kind == CRT_LINE_WHOLE && i + 1 < pass->row[row].end &&
+               pass->entry[i + 1].repeats &&
+               weight_of(w, index, &pass->entry[i + 1])->kind == CRT_LINE_WHOLE) {
+            i++;
+            weight.w0 += weight_of(w, index, &pass->entry[i])->w0;
+            weight.w1 += weight_of(w, index, &pass->entry[i])->w1;
+        }
+        lit |= combine_entry(w, e, &weight, set, to, lit);
     }
     return lit;
 }
@@ -146,14 +160,6 @@ static void place_across(const struct working *w, const struct crt_line_row *row
     w->pass->kernels->place(across, &band, (float)sigma, (float)spread, (float)(1 / area));
 }
 
-/* Further off than this a set's light does not reach, mm. */
-static double reach_of(const struct crt_line_row *row, int set, int sets)
-{
-    const struct crt_line_course *c = row->course;
-    double less = c->spot[sets - 1]->sigma_mm - c->spot[set]->sigma_mm;
-    return row->reach_mm - CRT_LINE_CUT * row->place->most_spread * less;
-}
-
 /* Of a row of lines, but for what varies along it. */
 static double lands_at(const struct working *w, const struct crt_line_row *row)
 {
@@ -176,9 +182,9 @@ static int weigh_rows(const struct working *w, int r, size_t *first)
         float above = (float)(y - lands_at(w, &pass->row[k]));
         for (int set = 0; set < sets; set++) {
             size_t slot = (k - w->first) * (size_t)sets + (size_t)set;
-            if (fabs((double)pass->row[k].y - y) <= reach_of(&pass->row[k], set, sets) &&
-                pass->kernels->weigh(&w->worker->across[slot], above,
-                                     w->worker->weights + slot * CRT_LINE_ANCHORS))
+            const struct crt_line_across *across = &w->worker->across[slot];
+            if (above > across->low && above < across->high &&
+                pass->kernels->weigh(across, above, w->worker->weights + slot * CRT_LINE_ANCHORS))
                 w->worker->slots[count++] = (int)slot;
         }
     }

@@ -39,13 +39,13 @@ struct crt_line_source {
 };
 
 /* Columns that are worked on together: the lines of a band stay in the cache. */
-#define CRT_LINE_TILE 512
-#define CRT_LINE_ANCHORS                                                                           \
-    (CRT_LINE_TILE / CRT_LINE_ANCHOR + CRT_STRIP_LINES) /* one more than needed, in eights */
+#define CRT_LINE_TILE    736
+#define CRT_LINE_ANCHORS (CRT_LINE_TILE / CRT_LINE_ANCHOR + 1) /* in eights */
 
 /* A line across, at the anchors of a tile: how far up it lands, the inverse of sigma, and its light. */
 struct crt_line_across {
     float at[CRT_LINE_ANCHORS], narrow[CRT_LINE_ANCHORS], amount[CRT_LINE_ANCHORS];
+    float low, high; /* mm above the line between which it has light */
 };
 
 struct crt_line_kernels {

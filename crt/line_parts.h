@@ -49,6 +49,7 @@ struct crt_line_entry {
     const struct crt_receiver *receivers; /* for targets first … first + count − 1 */
     int first, count;
     bool used;
+    bool repeats; /* the entry in front of it, dot for dot: their light is added once */
     const struct crt_line_course *course;
     const struct crt_line_place *place;
 };

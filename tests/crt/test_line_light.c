@@ -186,7 +186,7 @@ static void random_dots(void **state)
                      10 - (n + 0.5) * 20 / 64, kind[k].dots);
             randomize(n, &seed);
         }
-        assert_true(worst_of(0, FIELD, everywhere, 150, 5) < 1e-3);
+        assert_true(worst_of(0, FIELD, everywhere, 40, 5) < 1e-3);
     }
 }
 
@@ -205,7 +205,7 @@ static void growing_spot(void **state)
             add_line(1000000000 + (uint64_t)n * 30000000, 1500000, 10 - (n + 0.5) * 20 / 64, 96);
             randomize(n, &seed);
         }
-        assert_true(worst_of(0, FIELD, everywhere, 150, 5) < 1e-3);
+        assert_true(worst_of(0, FIELD, everywhere, 40, 5) < 1e-3);
     }
 }
 
@@ -223,7 +223,7 @@ static void knobs(void **state)
             add_line(1000000000 + (uint64_t)n * 30000000, 1500000, 10 - (n + 0.5) * 20 / 64, 96);
             randomize(n, &seed);
         }
-        assert_true(worst_of(0, FIELD, everywhere, 100, 5) < 1.5e-3);
+        assert_true(worst_of(0, FIELD, everywhere, 50, 5) < 1.5e-3);
     }
 }
 
@@ -252,7 +252,7 @@ static void corners(void **state)
             }
             struct region in = {corner & 2 ? 4 : scene.grid.cols - 160,
                                 corner & 1 ? 4 : scene.grid.rows - 76, 154, 72};
-            assert_true(worst_of(0, FIELD, in, 120, 5) < 1.2e-3);
+            assert_true(worst_of(0, FIELD, in, 50, 5) < 1.2e-3);
         }
 }
 
@@ -282,7 +282,7 @@ static void exposures(void **state)
                     {3 * FIELD, 3 * FIELD + 400000000},
                     {cut->t1 + 1000, cut->t1 + 40000000}};
         for (int i = 0; i < 6; i++)
-            assert_true(worst_of(film[i].a, film[i].b, everywhere, 60, 5) < 1e-3);
+            assert_true(worst_of(film[i].a, film[i].b, everywhere, 40, 5) < 1e-3);
     }
 }
 
@@ -299,7 +299,7 @@ static void interlaced(void **state)
                      10 - (2 * n + field % 2 + 0.5) * 20 / 80, 96);
             randomize(field * 40 + n, &seed);
         }
-    assert_true(worst_of(FIELD, 3 * FIELD, everywhere, 100, 5) < 1e-3);
+    assert_true(worst_of(FIELD, 3 * FIELD, everywhere, 50, 5) < 1e-3);
 }
 
 /* A microscope: hundreds of cells a dot. */
@@ -315,7 +315,7 @@ static void closeup(void **state)
             randomize(n, &seed);
         }
         scene.grid = crt_grid_closeup(3.3, -2.1, k == 0 ? 2 : k == 1 ? 0.05 : 6e-4, 160, 120);
-        assert_true(worst_of(0, FIELD, everywhere, 60, 5) < 1e-3);
+        assert_true(worst_of(0, FIELD, everywhere, 40, 5) < 1e-3);
     }
 }
 

@@ -87,7 +87,9 @@ static void scan(struct crt_tube *tube, const struct scene *s, int field, int n)
     if (field == 2 && n == 30)
         crt_tube_set_knobs(tube, (struct crt_knobs){0.05, 0.9, 0.3});
     float half = (float)s->row.width.value / 2;
-    float y = (float)(s->row.height.value * (0.5 - (n + 0.25 + field % 2 * 0.5) / LINES));
+    float y =
+        (float)(s->row.height.value *
+                (0.5 - (n + 0.25 + (s->phosphor.colours == 3 ? 0 : field % 2 * 0.5)) / LINES));
     const struct crt_scan_line line = {t0,
                                        t0 + 3000000,
                                        -half,
