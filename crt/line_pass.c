@@ -219,7 +219,8 @@ static int by_place(const void *a, const void *b)
 
 static void sort_entries(struct crt_line_pass *pass)
 {
-    qsort(pass->entry, pass->entries, sizeof pass->entry[0], by_place);
+    if (pass->entries > 0) /* without any there is no array, and qsort may not be given NULL */
+        qsort(pass->entry, pass->entries, sizeof pass->entry[0], by_place);
 }
 
 /* Fewer stretches than this tell how a share changes along a line. */
