@@ -12,6 +12,7 @@
 static const char *const help[] = {
     "kinescope",
     "F1\tthis help",
+    "F2\tvector head, raster head or both",
     "F5\tpause, go on",
     "F6\tone refresh, then pause",
     "F7 F8\tslower, faster (Shift: by ten), down to a millionth: single strokes of the beam",

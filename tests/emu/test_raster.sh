@@ -52,6 +52,12 @@ fails "a close-up of both heads" 2 "give --view vector or --view raster" \
 fails "a figure of the other kind of tube" 2 "COLOR17 has no vector_unit" \
     capture "$pattern" --set raster.vector_unit=1us --hash
 fails "the buffer needs no tube" 2 "--buffer" capture "$pattern" --buffer --film --hash
+fails "a hash in the middle of a picture" 2 "--hash prints to standard output" \
+    capture "$pattern" --hash -o -
+fails "a hash in the middle of a film strip" 2 "--hash prints to standard output" \
+    capture "$pattern" --hash --from 0.5s --to 0.52s --y4m -
+works "the test pattern in amber, in another mode, as README has it" \
+    capture "$pattern" --tube MONO12/P134 --mode 720x400@70 --hash
 works "an amber tube and a vector tube, a figure of each" capture "$heads" --tube VR14 \
     --tube MONO12/P134 --mode 640x480@60 --set raster.spot=0.5 --set vector.spot=0.6 --hash
 
