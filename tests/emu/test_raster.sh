@@ -51,6 +51,12 @@ fails "a close-up of both heads" 2 "give --view vector or --view raster" \
     capture "$heads" --closeup 512,512,10 --hash
 fails "a figure of the other kind of tube" 2 "COLOR17 has no vector_unit" \
     capture "$pattern" --set raster.vector_unit=1us --hash
+fails "what belongs to no head" 2 "memory belongs to no head; leave out 'raster.'" \
+    capture "$pattern" --set raster.memory=16K --hash
+fails "limits of a figure without a unit" 2 "it must be between 0.01 and 1" \
+    capture "$pattern" --set field_duty=0 --hash
+[ "$(tail -c 3 "$work/said")" = " 1" ] && ! grep -q "1 1" "$work/said"
+report $? "... name none"
 fails "the buffer needs no tube" 2 "--buffer" capture "$pattern" --buffer --film --hash
 fails "a hash in the middle of a picture" 2 "--hash prints to standard output" \
     capture "$pattern" --hash -o -
