@@ -132,6 +132,14 @@ awk '
 ' "$work/video" >"$work/said"
 report $? "rows and sync pulses of XGA to the picosecond"
 
+fails "no summary of a program without strokes" 1 "--summary measures the vector head" \
+    trace "$pattern" --summary
+[ ! -s "$work/out" ]
+report $? "... and no figures of a head that is not used"
+fails "nor a recording of its strokes" 1 "--what beam writes the strokes of the vector head" \
+    trace "$pattern" --what beam -o "$work/none.beam"
+works "a program of both heads has strokes" trace "$heads" --what beam -o "$work/heads.beam"
+
 # ---- snapshots ------------------------------------------------------------------------------------
 
 fails "a run saved in the middle of a frame" 3 "has not ended itself" run "$pattern" --headless \
