@@ -152,14 +152,17 @@ struct crt_grid crt_tube_grid(const struct crt_tube_row *row)
 static bool check_figure(const char *tube, const char *name, const char *unit,
                          const struct crt_figure *f, double min, double max, struct crt_error *err)
 {
+    bool bare = strcmp(unit, "1") == 0;
+    const char *gap = bare ? "" : " ";
+    unit = bare ? "" : unit;
     if (!(f->value >= min && f->value <= max))
-        return crt_fail(err, "tube %s: %s is %g; it must be between %g and %g %s", tube, name,
-                        f->value, min, max, unit);
+        return crt_fail(err, "tube %s: %s is %g; it must be between %g and %g%s%s", tube, name,
+                        f->value, min, max, gap, unit);
     if (!(f->low <= f->value && f->value <= f->high && f->low >= min && f->high <= max))
         return crt_fail(err,
                         "tube %s: the range of %s is %g..%g; it must contain the value %g and "
-                        "stay between %g and %g %s",
-                        tube, name, f->low, f->high, f->value, min, max, unit);
+                        "stay between %g and %g%s%s",
+                        tube, name, f->low, f->high, f->value, min, max, gap, unit);
     return true;
 }
 

@@ -70,6 +70,9 @@ static bool check_options(struct vm_capture *c, struct crt_error *err)
         return crt_fail(err, "nothing is to be written; give -o OUT.png, --y4m FILE or --hash");
     if (o->out && o->y4m)
         return crt_fail(err, "-o and --y4m exclude each other");
+    if (o->hash && ((o->out && strcmp(o->out, "-") == 0) || (o->y4m && strcmp(o->y4m, "-") == 0)))
+        return crt_fail(err, "--hash prints to standard output, where the picture goes, too; give "
+                             "that a file, or leave out --hash");
     if (c->sequence && (!o->from.given || !o->to.given))
         return crt_fail(err, "a sequence needs --from T and --to T");
     if (c->sequence && (o->moment.at.given || o->moment.when))

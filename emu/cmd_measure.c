@@ -340,6 +340,10 @@ static int run(int argc, char **argv)
         crt_fail(&err, "'%.60s' cannot be measured; give resolution", args.item[0]);
         return vm_command_fail(&vm_command_measure, VM_EXIT_USAGE, &err);
     }
+    if (o.csv + o.json + o.film > 1) {
+        crt_fail(&err, "--csv, --json and --film exclude each other");
+        return vm_command_fail(&vm_command_measure, VM_EXIT_USAGE, &err);
+    }
     if (!crt_catalogue_init(&s.catalogue, &err))
         return vm_command_fail(&vm_command_measure, VM_EXIT_TROUBLE, &err);
     status = measure(&o, &s, &err);

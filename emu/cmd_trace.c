@@ -173,6 +173,14 @@ static void print_header(const struct trace *t, uint64_t end)
 static int judge(struct trace *t, struct vm_rig *rig, struct crt_error *err)
 {
     struct crt_error trouble;
+    const struct vm_machine *m = rig->machine;
+    if (what_of(t) == VM_TRACE_BEAM && vm_machine_uses_raster(m) && !vm_machine_uses_vector(m)) {
+        crt_fail(err,
+                 "--what beam writes the strokes of the vector head, and %s draws with the raster "
+                 "head alone; --what video writes its rows",
+                 t->input.name);
+        return VM_EXIT_TROUBLE;
+    }
     /* A program that has not lit the beam yet may still do so, after its first sync tick. */
     if (rig->machine->strokes == 0 && !rig->board)
         vm_machine_run(rig->machine, VM_SETTLED_PS);

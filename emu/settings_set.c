@@ -131,6 +131,8 @@ static bool set_one(struct vm_settings *s, const char *item, struct crt_error *e
     if (strncmp(name, "vector.", 7) == 0 || strncmp(name, "raster.", 7) == 0) {
         heads = name[0] == 'v' ? VM_VIEW_VECTOR : VM_VIEW_RASTER;
         name += 7;
+        if (strcmp(name, "memory") == 0 || strcmp(name, "dpu.average") == 0)
+            return crt_fail(err, "%s belongs to no head; leave out '%.7s'", name, key);
     }
     if (knob_of(&knobs, name, &low, &high))
         return set_knob(s, heads, name, text, err);

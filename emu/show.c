@@ -89,12 +89,21 @@ static uint64_t next_refresh(const struct vm_show *show)
     return end;
 }
 
+/* With the raster head alone the display processor never starts, and no stretch is dark for long. */
+static bool only_raster(const struct vm_machine *m)
+{
+    return vm_machine_uses_raster(m) && !vm_machine_uses_vector(m);
+}
+
 /* Runs to the tick that starts the processor again, if it is not running. */
 static void skip_idle(struct vm_show *show)
 {
     const struct vm_machine *m = show->program->rig.machine;
-    for (int ticks = 0;
-         ticks < 100 && (m->has_program || m->desc.board) && m->dpu.state != DF_RUNNING; ticks++)
+    if (only_raster(m))
+        vm_show_say(show, "a raster head alone has no dark time to skip");
+    for (int ticks = 0; ticks < 100 && !only_raster(m) && (m->has_program || m->desc.board) &&
+                        m->dpu.state != DF_RUNNING;
+         ticks++)
         expose(show, m->tick_time + 1);
 }
 

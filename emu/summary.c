@@ -68,8 +68,14 @@ static bool measure(const struct vm_settings *s, const struct vm_input *input,
     if (result->refreshes == 0 && !vm_find_trouble(m, input, err))
         crt_fail(err, "%s completes no refresh in that time; it has no end and does not come round",
                  input->name);
+    bool measured = result->refreshes > 0;
+    if (measured && vm_machine_uses_raster(m) && !vm_machine_uses_vector(m))
+        measured = crt_fail(err,
+                            "--summary measures the vector head, and %s draws with the raster head "
+                            "alone; kinescope list modes tells the times of its mode",
+                            input->name);
     vm_rig_close(&rig);
-    return result->refreshes > 0;
+    return measured;
 }
 
 static double mean(uint64_t sum, const struct measure *m)

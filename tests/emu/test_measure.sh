@@ -22,6 +22,8 @@ refuses() {
     report $? "$name"
 }
 
+refuses "two formats at once" "exclude each other" resolution --csv --json
+refuses "a format that film does not have" "exclude each other" resolution --csv --film
 "$KINESCOPE" measure resolution >"$work/said" 2>&1
 report $? "a raster tube by default"
 says "the default is COLOR17 in its mode" '^COLOR17 in 1024x768@60: 320 x 240 mm'

@@ -51,7 +51,19 @@ fails "a close-up of both heads" 2 "give --view vector or --view raster" \
     capture "$heads" --closeup 512,512,10 --hash
 fails "a figure of the other kind of tube" 2 "COLOR17 has no vector_unit" \
     capture "$pattern" --set raster.vector_unit=1us --hash
+fails "what belongs to no head" 2 "memory belongs to no head; leave out 'raster.'" \
+    capture "$pattern" --set raster.memory=16K --hash
+fails "limits of a figure without a unit" 2 "it must be between 0.01 and 1" \
+    capture "$pattern" --set field_duty=0 --hash
+[ "$(tail -c 3 "$work/said")" = " 1" ] && ! grep -q "1 1" "$work/said"
+report $? "... name none"
 fails "the buffer needs no tube" 2 "--buffer" capture "$pattern" --buffer --film --hash
+fails "a hash in the middle of a picture" 2 "--hash prints to standard output" \
+    capture "$pattern" --hash -o -
+fails "a hash in the middle of a film strip" 2 "--hash prints to standard output" \
+    capture "$pattern" --hash --from 0.5s --to 0.52s --y4m -
+works "the test pattern in amber, in another mode, as README has it" \
+    capture "$pattern" --tube MONO12/P134 --mode 720x400@70 --hash
 works "an amber tube and a vector tube, a figure of each" capture "$heads" --tube VR14 \
     --tube MONO12/P134 --mode 640x480@60 --set raster.spot=0.5 --set vector.spot=0.6 --hash
 
@@ -119,6 +131,14 @@ awk '
     END { if (!bad && (rows < 2300 || v < 3 || h < 2400)) { print rows, h, v; bad = 1 } exit bad }
 ' "$work/video" >"$work/said"
 report $? "rows and sync pulses of XGA to the picosecond"
+
+fails "no summary of a program without strokes" 1 "--summary measures the vector head" \
+    trace "$pattern" --summary
+[ ! -s "$work/out" ]
+report $? "... and no figures of a head that is not used"
+fails "nor a recording of its strokes" 1 "--what beam writes the strokes of the vector head" \
+    trace "$pattern" --what beam -o "$work/none.beam"
+works "a program of both heads has strokes" trace "$heads" --what beam -o "$work/heads.beam"
 
 # ---- snapshots ------------------------------------------------------------------------------------
 

@@ -91,6 +91,28 @@ while kill -0 $viewer 2>/dev/null && [ $tries -lt 50 ]; do sleep 0.1 && tries=$(
 wait $viewer
 report $? "it ends with status 0"
 viewer=
+
+# The raster head alone: Right Ctrl with S has nothing to skip, and the window stays alive.
+"$KINESCOPE" run "$roms/palette.elf" --size 400x300 --time-scale 0.5 2>log &
+viewer=$!
+until_true 30 title palette.elf
+report $? "a window with the raster head alone"
+xdotool mousemove 200 150
+xdotool windowfocus "$(title palette.elf | tail -n 1)" 2>/dev/null
+sleep 4
+press F5
+shoot
+before=$at
+chord s
+shoot
+apart "$at" "$before" -0.001 0.02
+report $? "skipping dark time does not run on: from $before s to $at s"
+chord q
+tries=0
+while kill -0 $viewer 2>/dev/null && [ $tries -lt 50 ]; do sleep 0.1 && tries=$((tries + 1)); done
+wait $viewer
+report $? "it ends with status 0, too"
+viewer=
 [ ! -s log ] || sed 's/^/# /' log
 [ ! -s log ]
 report $? "nothing was complained about"
