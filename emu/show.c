@@ -89,12 +89,13 @@ static uint64_t next_refresh(const struct vm_show *show)
     return end;
 }
 
-/* Runs to the tick that starts the processor again, if it is not running. */
+/* Runs to the tick that starts the display processor again, if it is not running. A raster head has no
+ * dark time. */
 static void skip_idle(struct vm_show *show)
 {
     const struct vm_machine *m = show->program->rig.machine;
-    for (int ticks = 0;
-         ticks < 100 && (m->has_program || m->desc.board) && m->dpu.state != DF_RUNNING; ticks++)
+    for (int ticks = 0; ticks < 100 && m->entry != VM_NO_ENTRY && m->dpu.state != DF_RUNNING;
+         ticks++)
         expose(show, m->tick_time + 1);
 }
 
