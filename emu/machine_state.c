@@ -62,7 +62,6 @@ static void raster_state(struct vm_machine *m, struct crt_state *s)
 {
     if (!m->desc.buffer)
         return;
-    crt_state_u64(s, &m->scan_lines);
     crt_state_pages(s, m->desc.buffer, VIDEO_BUFFER_BYTES);
 }
 
