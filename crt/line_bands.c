@@ -111,6 +111,12 @@ static bool combine_entry(const struct working *w, const struct crt_line_entry *
     return true;
 }
 
+static const struct crt_line_weight *weight_of(const struct working *w, int index,
+                                               const struct crt_line_entry *e)
+{
+    return &w->pass->weight[e->weight + (size_t)w->target[index]];
+}
+
 /* The light of a row of lines in one target along the tile; false: none. */
 static bool combine_row(const struct working *w, int index, size_t row, int set)
 {
@@ -119,23 +125,30 @@ static bool combine_row(const struct working *w, int index, size_t row, int set)
     bool lit = false;
     for (size_t i = pass->row[row].first; i < pass->row[row].end; i++) {
         const struct crt_line_entry *e = &pass->entry[i];
-        const struct crt_line_weight *weight = &pass->weight[e->weight + (size_t)w->target[index]];
-        if (e->used && weight->kind != CRT_LINE_NONE)
-            lit |= combine_entry(w, e, weight, set, to, lit);
+        struct crt_line_weight weight = *weight_of(w, index, e);
+        if (!e->used || weight.kind == CRT_LINE_NONE)
+            continue;
+        while (weight.kind == CRT_LINE_WHOLE && i + 1 < pass->row[row].end &&
+               pass->entry[i + 1].repeats &&
+               weight_of(w, index, &pass->entry[i + 1])->kind == CRT_LINE_WHOLE) {
+            i++;
+            weight.w0 += weight_of(w, index, &pass->entry[i])->w0;
+            weight.w1 += weight_of(w, index, &pass->entry[i])->w1;
+        }
+        lit |= combine_entry(w, e, &weight, set, to, lit);
     }
     return lit;
 }
 
-/* Where a row of lines lies at the tile's anchors, from the first row of cells on. */
+/* Where a row of lines lands at the tile's anchors: all but what weigh_rows adds. */
 static void place_across(const struct working *w, const struct crt_line_row *row, int set,
                          struct crt_line_across *across)
 {
     const struct crt_line_place *place = row->place;
     const struct crt_optics *o = &w->pass->beams.optics;
     double own = (double)row->y, more = o->per_mm2 * (own * own - place->y_mm * place->y_mm);
-    double landing = o->way_y[w->gun] * o->converge_edge * more, spread = o->edge * more;
+    double spread = o->edge * more;
     double sigma = row->course->spot[set]->sigma_mm, area = w->pass->area;
-    double y = own + landing - row_mm(&w->pass->grid, w->lo);
     int anchor = w->col / CRT_LINE_ANCHOR, last = w->pass->grid.cols / CRT_LINE_ANCHOR + 1;
     struct crt_line_across band;
     for (int i = 0; i < CRT_LINE_ANCHORS; i++) {
@@ -144,16 +157,15 @@ static void place_across(const struct working *w, const struct crt_line_row *row
         band.narrow[i] = place->spread[w->gun][at];
         band.amount[i] = place->amount[w->gun][at];
     }
-    w->pass->kernels->place(across, &band, (float)y, (float)sigma, (float)spread,
-                            (float)(1 / area));
+    w->pass->kernels->place(across, &band, (float)sigma, (float)spread, (float)(1 / area));
 }
 
-/* Further off than this a set's light does not reach, mm. */
-static double reach_of(const struct crt_line_row *row, int set, int sets)
+/* Of a row of lines, but for what varies along it. */
+static double lands_at(const struct working *w, const struct crt_line_row *row)
 {
-    const struct crt_line_course *c = row->course;
-    double less = c->spot[sets - 1]->sigma_mm - c->spot[set]->sigma_mm;
-    return row->reach_mm - CRT_LINE_CUT * row->place->most_spread * less;
+    const struct crt_optics *o = &w->pass->beams.optics;
+    double own = (double)row->y, middle = row->place->y_mm;
+    return own + o->way_y[w->gun] * o->converge_edge * o->per_mm2 * (own * own - middle * middle);
 }
 
 /* Slots of rows of lines and sets that reach a row of cells, and their weights there; none before row of
@@ -163,18 +175,19 @@ static int weigh_rows(const struct working *w, int r, size_t *first)
     const struct crt_line_pass *pass = w->pass;
     const int sets = pass->beams.sets;
     double y = row_mm(&pass->grid, r);
-    float below = (float)(-(r - w->lo) * pass->grid.cell_mm);
     int count = 0;
     while (*first < w->end && (double)pass->row[*first].y > y + pass->reach_mm)
         ++*first;
-    for (size_t k = *first; k < w->end && (double)pass->row[k].y >= y - pass->reach_mm; k++)
+    for (size_t k = *first; k < w->end && (double)pass->row[k].y >= y - pass->reach_mm; k++) {
+        float above = (float)(y - lands_at(w, &pass->row[k]));
         for (int set = 0; set < sets; set++) {
             size_t slot = (k - w->first) * (size_t)sets + (size_t)set;
-            if (fabs((double)pass->row[k].y - y) <= reach_of(&pass->row[k], set, sets) &&
-                pass->kernels->weigh(&w->worker->across[slot], below,
-                                     w->worker->weights + slot * CRT_LINE_ANCHORS))
+            const struct crt_line_across *across = &w->worker->across[slot];
+            if (above > across->low && above < across->high &&
+                pass->kernels->weigh(across, above, w->worker->weights + slot * CRT_LINE_ANCHORS))
                 w->worker->slots[count++] = (int)slot;
         }
+    }
     return count;
 }
 

@@ -354,7 +354,7 @@ static struct crt_line_course *new_course(const struct crt_line_beams *beams,
     c->x1 = way->x1;
     c->dots = way->dots;
     c->focus = way->knobs.focus;
-    c->parts = (int)fmin(fmax(ceil(pitch / (CRT_WIDEST_DOT * sigma)), 1), 1e5);
+    c->parts = (int)fmin(fmax(ceil(pitch / (CRT_WIDEST_DOT * sigma)), 1), CRT_MOST_PARTS);
     c->pitch_mm = pitch / c->parts;
     c->band_mm = crt_line_band(beams->row, way);
     c->even = o->edge == 0 && o->converge_edge == 0;

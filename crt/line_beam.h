@@ -32,6 +32,7 @@
 #define CRT_LINE_CUT   4.0
 #define CRT_LINE_EDGE  3.35462627902511839e-4F /* e^(−CUT²/2) */
 #define CRT_WIDEST_DOT 1.5                     /* sigma */
+#define CRT_MOST_PARTS 10000                   /* of a dot; lines of wider dots are left out */
 #define CRT_LINE_NODES 24                      /* at most */
 #define CRT_LINE_SEG   8                       /* columns of one sigma */
 #define CRT_LINE_ANCHOR                                                                            \

@@ -39,13 +39,13 @@ struct crt_line_source {
 };
 
 /* Columns that are worked on together: the lines of a band stay in the cache. */
-#define CRT_LINE_TILE 512
-#define CRT_LINE_ANCHORS                                                                           \
-    (CRT_LINE_TILE / CRT_LINE_ANCHOR + CRT_STRIP_LINES) /* one more than needed, in eights */
+#define CRT_LINE_TILE    736
+#define CRT_LINE_ANCHORS (CRT_LINE_TILE / CRT_LINE_ANCHOR + 1) /* in eights */
 
-/* A line across, at the anchors of a tile: where it lies, the inverse of sigma, and its light. */
+/* A line across, at the anchors of a tile: how far up it lands, the inverse of sigma, and its light. */
 struct crt_line_across {
     float at[CRT_LINE_ANCHORS], narrow[CRT_LINE_ANCHORS], amount[CRT_LINE_ANCHORS];
+    float low, high; /* mm above the line between which it has light */
 };
 
 struct crt_line_kernels {
@@ -56,11 +56,11 @@ struct crt_line_kernels {
                   const int32_t *stream, int col0, int col1, int16_t *cells);
     /* to = or += (w0 + w1·i)·cells, i = 0 … count − 1, count in eights. */
     void (*combine)(const int16_t *cells, int count, float w0, float w1, float *to, bool add);
-    /* A line `y` mm off, from how its band lies (there narrow is the spread of the spot), of a spot of
-     * `sigma` mm, wider by `wider`. */
-    void (*place)(struct crt_line_across *line, const struct crt_line_across *band, float y,
-                  float sigma, float wider, float amount);
-    /* Weights of a line in the row of cells at y, for the anchors of a tile; false: all are 0. */
+    /* A line, from how its band lies (there narrow is the spread of the spot), of a spot of `sigma` mm,
+     * wider by `wider`. */
+    void (*place)(struct crt_line_across *line, const struct crt_line_across *band, float sigma,
+                  float wider, float amount);
+    /* Weights of a line in a row of cells y mm above it, for the anchors of a tile; false: all are 0. */
     bool (*weigh)(const struct crt_line_across *line, float y, float *weights);
     /* Adds lines, each times its weight, to a row of cells that may be fresh, cols in eights. Weights are straight lines
      * between anchors, or the same everywhere. */

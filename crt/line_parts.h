@@ -18,6 +18,9 @@
 /* Targets of one gun worked on together. */
 #define CRT_LINE_TOGETHER 4
 
+/* Dots of a line in a sigma of its spot, at most; lines of narrower dots are none that a head draws. */
+#define CRT_MOST_DOTS 1e4
+
 /* Lines that give a target less than this part of what the brightest gives it are left out. */
 #define CRT_LINE_FAINT 1e-5
 
@@ -46,6 +49,7 @@ struct crt_line_entry {
     const struct crt_receiver *receivers; /* for targets first … first + count − 1 */
     int first, count;
     bool used;
+    bool repeats; /* the entry in front of it, dot for dot: their light is added once */
     const struct crt_line_course *course;
     const struct crt_line_place *place;
 };

@@ -170,8 +170,11 @@ static bool near_grid(const struct crt_line_pass *pass, const struct crt_line *l
     double blur = sqrt(1 + way->knobs.focus * way->knobs.focus);
     double sigma = pass->beams.sigma_mm[pass->beams.sets - 1] * blur * (1 + o->edge * r2);
     double reach = CRT_LINE_CUT * sigma + o->converge + o->converge_edge * r2;
-    return sigma / g->cell_mm <= CRT_WIDEST && y > low - reach && y < g->top_mm + reach &&
-           (double)way->x1 > g->left_mm - reach &&
+    double length = (double)way->x1 - (double)way->x0;
+    return sigma / g->cell_mm <= CRT_WIDEST &&
+           length <= CRT_MOST_PARTS * CRT_WIDEST_DOT * pass->beams.sigma_mm[0] * blur * way->dots &&
+           sigma * way->dots <= CRT_MOST_DOTS * length && y > low - reach &&
+           y < g->top_mm + reach && (double)way->x1 > g->left_mm - reach &&
            (double)way->x0 < g->left_mm + g->cols * g->cell_mm + reach;
 }
 
@@ -219,7 +222,8 @@ static int by_place(const void *a, const void *b)
 
 static void sort_entries(struct crt_line_pass *pass)
 {
-    qsort(pass->entry, pass->entries, sizeof pass->entry[0], by_place);
+    if (pass->entries > 1)
+        qsort(pass->entry, pass->entries, sizeof pass->entry[0], by_place);
 }
 
 /* Fewer stretches than this tell how a share changes along a line. */
@@ -334,11 +338,24 @@ static bool settle_entry(struct crt_line_pass *pass, struct crt_line_entry *e)
     return true;
 }
 
+static bool repeats(const struct crt_line_entry *a, const struct crt_line_entry *b, int guns)
+{
+    const struct crt_strip *x = a->line->strip, *y = b->line->strip;
+    size_t dots = (size_t)x->way.dots;
+    if (!a->used || !crt_line_same_way(&x->way, &y->way))
+        return false;
+    for (int gun = 0; gun < guns; gun++)
+        if (memcmp(x->drive + (size_t)(gun * CRT_STRIP_LINES + a->line->lane) * dots,
+                   y->drive + (size_t)(gun * CRT_STRIP_LINES + b->line->lane) * dots, dots) != 0)
+            return false;
+    return true;
+}
+
 /* Lines of one place and way go to one row. */
 static bool make_rows(struct crt_line_pass *pass)
 {
     for (size_t i = 0; i < pass->entries; i++) {
-        const struct crt_line_entry *e = &pass->entry[i];
+        struct crt_line_entry *e = &pass->entry[i];
         if (!e->used)
             continue;
         struct crt_line_row *row = pass->rows ? &pass->row[pass->rows - 1] : NULL;
@@ -354,6 +371,8 @@ static bool make_rows(struct crt_line_pass *pass)
                             e->place->most_landing * 1.01;
             pass->reach_mm = fmax(pass->reach_mm, row->reach_mm);
         }
+        e->repeats = row->end == i && row->end > row->first &&
+                     repeats(&pass->entry[i - 1], e, pass->beams.guns);
         row->end = i + 1;
     }
     return true;

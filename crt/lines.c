@@ -14,10 +14,6 @@
 #define MOST_SHIFT  0.0105
 #define MOST_SPREAD 0.0025
 
-/* Dots are not narrower, mm: 4096 of them on the narrowest screen take twice as much. Kernels count the
- * dots within a spot. */
-#define LEAST_DOT 1e-4
-
 uint64_t crt_line_lit(uint64_t t0, uint64_t t1)
 {
     uint64_t lit = t1 - t0, step = 1;
@@ -159,8 +155,8 @@ bool crt_lines_push(struct crt_lines *lines, struct crt_line_list *list,
                                *knobs};
     double band = floor((double)line->y0 / crt_line_band(row, &way));
     struct crt_line entry = {.t0 = line->t0, .t1 = line->t1, .source = line->source};
-    if (!(fabs(band) < 1e15) || (double)way.x1 - (double)way.x0 < LEAST_DOT * way.dots)
-        return true; /* further off than any screen, or narrower */
+    if (!(fabs(band) < 1e15))
+        return true; /* further off than any screen */
     entry.strip = strip_for(lines, &way, (int64_t)band, line->guns);
     if (!entry.strip || !crt_line_list_push(list, &entry))
         return false;

@@ -1,31 +1,35 @@
 /* tube.h — the tube: beam pieces in, light out.
  *
- *      strokes ──▶ journal ──┬── commit at each epoch end ──▶ phosphor planes (stored energy)
- *                            │                                     │
- *                            └───────────── expose ────────────────┴──▶ film, probe
+ *      strokes or ──▶ journal ──┬── commit at each epoch end ──▶ phosphor planes (stored energy)
+ *      scan lines               │                                     │
+ *                               └───────────── expose ────────────────┴──▶ film, probe
  *
  * Models:     gun (I ∝ drive^γ), a Gaussian spot that grows with current, the line integral of a
  *             spot moving at constant speed with end-point dwell (erf caps), time-stamped deposits,
  *             decay by the phosphor's sum of exponentials; on a penetration tube colour, spot and
  *             place by the stroke's level (crt/penetration.h). Absolute: light is in cd·s/m²
  *             (fluence) or cd/m².
- * Time:       picoseconds; epoch n ends at tick n+1 of desc.epoch.
+ *             Raster tubes: scan lines through a video amplifier, with the optics of each gun
+ *             (crt/line_beam.h, crt/optics.h); lines run from left to right, others give no light.
+ * Time:       picoseconds; epoch n ends at tick n+1 of desc.epoch, or as crt_tube_set_epoch says.
  * Observing:  never changes state: an exposure or a probe is a function of planes (as of the last
- *             epoch) and journal (strokes since); a film's samples depend on its interval only,
+ *             epoch) and journal (strokes and lines since); a film's samples depend on its interval only,
  *             never on what else was observed, on the number of threads or on the instruction set.
  * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above CRT_PLANE_SHARE);
- *             shorter terms are computed from the journal of this and the previous epoch.
+ *             shorter terms are computed from the journal of this and the previous epoch. Planes stay
+ *             when a shorter epoch is set, and join when a term outlives the new one.
  * Ageing:     n epochs are n float multiplications; values below a fixed floor become 0.
  * Accuracy:   film within 1e-3 of its peak of the exact integral; energy to 1e-5 as long as an
  *             epoch is 0.003 τ or more (a factor is a float: a rate of decay is good to
  *             3e-8·τ/T). Cells of at most 1.25 sigma of the smallest spot; larger ones are refused.
+ *             Films of scan lines: light to 3e-4 (whole fields to 5e-5); 1.5e-3 of the peak where knobs clip
+ *             the drive. Dim dots of a line are rounded to 3e-5 of its brightest.
  * Ownership:  crt_tube_create allocates planes and journal, crt_tube_destroy frees them. Films
  *             belong to the caller. desc is copied; row and phosphor must outlive the tube.
  * Errors:     out of memory: NULL and a sentence; for strokes crt_tube_intact() tells. Misuse (time
  *             running backwards, a film of another tube) asserts.
  * Source:     the integrals are elementary; figures come from crt/tube_table.h and crt/phosphor.h.
- * Not modelled: video amplifier (vector heads switch the beam), misfocus towards the corners,
- *             saturation, scan lines.
+ * Not modelled: video amplifier and misfocus towards the corners of vector tubes, saturation.
  */
 #ifndef CRT_TUBE_H
 #define CRT_TUBE_H

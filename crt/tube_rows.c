@@ -32,7 +32,9 @@
 
 #define GAMMA_RASTER "estimate: C. Poynton, 2.35 to 2.55 for the gun alone"
 #define GROWTH_RASTER                                                                              \
-    "estimate: a third of sigma in quadrature at full current, a well regulated high voltage"
+    "estimate: 0.03 to 0.15 mm, 5 % of the spot's width at full current; left out, as a spot "     \
+    "that "                                                                                        \
+    "grows is twice the work"
 #define DMT        ": VESA Display Monitor Timing Standard"
 #define WHITE      "estimate: data sheets of such monitors promise about as much on a full white field"
 #define SCATTER    "estimate: tinted faceplate of a colour tube, aluminised screen"
@@ -207,7 +209,7 @@ static const struct crt_tube_row rows[] = {
      .halation = FIG(0.02, 0.01, 0.05, SCATTER),
      .spot = FIG(0.445, 0.35, 0.55,
                  "estimate: 1.4 lines of XGA at 60 % of its peak, so that lines just merge"),
-     .spot_growth = FIG(0.075, 0.04, 0.12, GROWTH_RASTER),
+     .spot_growth = FIG(0, 0, 0.12, GROWTH_RASTER),
      .spot_exponent = FIG(0.6, 0.5, 0.7, POWER_OF_CURRENT),
      .gun_exponent = FIG(2.5, 2.35, 2.55, GAMMA_RASTER),
      .field_luminance = FIG(100, 80, 130, WHITE),
@@ -238,7 +240,7 @@ static const struct crt_tube_row rows[] = {
      .face_radius = FIG(620, 500, 800, "estimate: 1R tubes, 1.77 times the diagonal"),
      .halation = FIG(0.025, 0.01, 0.05, SCATTER),
      .spot = FIG(0.50, 0.40, 0.65, "estimate: 1.2 lines of VGA at 60 % of its peak"),
-     .spot_growth = FIG(0.085, 0.04, 0.15, GROWTH_RASTER),
+     .spot_growth = FIG(0, 0, 0.15, GROWTH_RASTER),
      .spot_exponent = FIG(0.6, 0.5, 0.7, POWER_OF_CURRENT),
      .gun_exponent = FIG(2.5, 2.35, 2.55, GAMMA_RASTER),
      .field_luminance = FIG(90, 60, 120, WHITE),
@@ -271,7 +273,7 @@ static const struct crt_tube_row rows[] = {
                         "estimate: part of a cylinder, flat from top to bottom; here a sphere"),
      .halation = FIG(0.02, 0.01, 0.05, SCATTER),
      .spot = FIG(0.40, 0.30, 0.50, "estimate: 1.7 lines of SXGA at 60 % of its peak"),
-     .spot_growth = FIG(0.065, 0.03, 0.11, GROWTH_RASTER),
+     .spot_growth = FIG(0, 0, 0.11, GROWTH_RASTER),
      .spot_exponent = FIG(0.6, 0.5, 0.7, POWER_OF_CURRENT),
      .gun_exponent = FIG(2.5, 2.35, 2.55, GAMMA_RASTER),
      .field_luminance = FIG(120, 90, 150, WHITE),

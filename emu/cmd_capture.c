@@ -14,7 +14,9 @@ static const struct vm_option rows[] = {
     {"out", 'o', VM_OPT_STRING, ROW(out), "OUT.png",
      "the picture; of a sequence a name with %04d; - is standard output", 0, 0},
     {"exposure", 0, VM_OPT_TIME, ROW(exposure), "T",
-     "gather light for this long, ending at the moment; default one sync tick", 0, 0},
+     "gather light for this long, ending at the moment; default one sync tick, of the raster head "
+     "alone one frame",
+     0, 0},
     {"from", 0, VM_OPT_TIME, ROW(from), "T", "first moment of a sequence", 0, 0},
     {"to", 0, VM_OPT_TIME, ROW(to), "T", "the sequence ends before this moment", 0, 0},
     {"fps", 0, VM_OPT_RATE, ROW(fps), "N",
@@ -29,8 +31,11 @@ static const struct vm_option rows[] = {
      "the refresh buffer itself, one pixel a dot, as the raster head would read it at the moment",
      0, 0},
     {"closeup", 0, VM_OPT_STRING, ROW(closeup), "X,Y,WIDTH_MM",
-     "look at WIDTH_MM of screen around X,Y (head units) through a microscope; implies --film", 0,
-     0},
+     "look at WIDTH_MM of screen around X,Y through a microscope, the mask of a colour tube too; "
+     "X,Y "
+     "in head units: of the vector head from the bottom left, of the raster head dots from the top "
+     "left; implies --film",
+     0, 0},
     {"size", 0, VM_OPT_SIZE, ROW(size), "WxH", "pixels, for --glass and --closeup", 0, 0},
     {"depth", 0, VM_OPT_CHOICE, ROW(depth), "8|16", "bits a sample; default 8", 0, 0},
     {"hash", 0, VM_OPT_FLAG, ROW(hash), "",
@@ -113,7 +118,7 @@ static bool write_picture(struct vm_capture *c, const struct vm_frame *frame, ui
         ok = ok && vm_y4m_frame(&c->y4m, &image, err);
     } else {
         ok = vm_frame_name(c->o.out, c->sequence, number, name, sizeof name, err) &&
-             vm_picture_write(name, &image, c->input.name, &c->settings, frame, err);
+             vm_picture_write(name, &image, c->input.name, &c->settings, c->view, frame, err);
     }
     crt_image_free(&image);
     return ok;
@@ -267,6 +272,9 @@ const struct vm_command vm_command_capture = {
     "  kinescope capture roms/radar.df --at 2.5s -o sweep.png\n"
     "  kinescope capture roms/spin.df --from 0s --to 2s --fps 60 --y4m spin.y4m\n"
     "  kinescope capture roms/spin.df --from 0s --to 2s --fps 60 --y4m - | ffmpeg -i - spin.mp4\n"
-    "  kinescope capture roms/rose.df --closeup 512,690,8 -o spot.png",
+    "  kinescope capture roms/rose.df --closeup 512,690,8 -o spot.png\n"
+    "  kinescope capture roms/pattern.elf --tube SLOT14 --mode 800x600@60 -o pattern.png\n"
+    "  kinescope capture roms/mask.elf --closeup 512,380,4 -o triads.png\n"
+    "  kinescope capture roms/heads.elf --view both -o heads.png",
     run,
 };

@@ -204,6 +204,7 @@ const struct vm_command vm_command_run = {
     "  kinescope run\n"
     "  kinescope run roms/lander.df --tube VR14 --time-scale 0.001\n"
     "  kinescope run roms/spin.df --headless --for 60s\n"
+    "  kinescope run roms/pattern.elf --tube MONO12/P134\n"
     "  kinescope run roms/hello.elf --headless --console\n"
     "  kinescope run roms/clock.elf --gdb 127.0.0.1:1234\n"
     "  kinescope run roms/clock.elf --headless --for 5s --save-state clock.state\n"

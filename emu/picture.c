@@ -222,14 +222,14 @@ static void names_of(const struct vm_settings *s, unsigned heads, bool phosphor,
 }
 
 bool vm_picture_write(const char *path, const struct crt_image *image, const char *program,
-                      const struct vm_settings *settings, const struct vm_frame *frame,
-                      struct crt_error *err)
+                      const struct vm_settings *settings, enum vm_view view,
+                      const struct vm_frame *frame, struct crt_error *err)
 {
     char time[40], exposure[40], tubes[64], phosphors[64];
     vm_format_seconds(frame->t1, time, sizeof time);
     vm_format_seconds(frame->t1 - frame->t0, exposure, sizeof exposure);
-    names_of(settings, frame->heads, false, tubes, sizeof tubes);
-    names_of(settings, frame->heads, true, phosphors, sizeof phosphors);
+    names_of(settings, view, false, tubes, sizeof tubes);
+    names_of(settings, view, true, phosphors, sizeof phosphors);
     const struct crt_png_text texts[] = {{"Program", program},
                                          {"Tube", tubes},
                                          {"Phosphor", phosphors},

@@ -65,9 +65,10 @@ bool vm_frame_is_black(const struct vm_frame *frame, const struct vm_lights *lig
 void vm_picture_sizes(const struct vm_settings *settings, enum vm_view view, struct vm_size wanted,
                       struct vm_size size[VM_HEADS]);
 
-/* Writes a PNG with text chunks: program, tubes, phosphors, simulated time and exposure. */
+/* Writes a PNG with text chunks: program, the view's tubes and phosphors, simulated time and
+ * exposure. */
 bool vm_picture_write(const char *path, const struct crt_image *image, const char *program,
-                      const struct vm_settings *settings, const struct vm_frame *frame,
-                      struct crt_error *err);
+                      const struct vm_settings *settings, enum vm_view view,
+                      const struct vm_frame *frame, struct crt_error *err);
 
 #endif

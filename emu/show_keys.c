@@ -12,7 +12,7 @@
 static const char *const help[] = {
     "kinescope",
     "F1\tthis help",
-    "F2\tview: vector head, raster head, both",
+    "F2\tvector head, raster head, both",
     "F5\tpause, go on",
     "F6\tone refresh, then pause",
     "F7 F8\tslower, faster (Shift: by ten), down to a millionth: single strokes of the beam",
@@ -143,10 +143,8 @@ static void screenshot(struct vm_show *show)
     while (show->shots < 999 && access(name, F_OK) == 0);
     bool ok = vm_show_picture(show, &image, &err);
     if (ok) {
-        struct vm_frame seen = show->program->frame;
-        seen.heads &= show->view_drawn; /* the tubes that are named in the file */
         ok = vm_picture_write(name, &image, show->program->input.name, &show->program->settings,
-                              &seen, &err);
+                              show->view_drawn, &show->program->frame, &err);
         crt_image_free(&image);
     }
     snprintf(text, sizeof text, "screenshot %s", name);

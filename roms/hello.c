@@ -14,9 +14,9 @@ static void introduce(void)
         printf("This board is not a kinescope: no heads here.\n");
         return;
     }
-    printf("Memory map %lu, processor at %lu MHz, vector head: %s.\n",
+    printf("Memory map %lu, processor at %lu MHz, vector head: %s, raster head: %s.\n",
            (unsigned long)board_version(), (unsigned long)board_clock_hz() / 1000000,
-           board_has_vector_head() ? "yes" : "no");
+           board_has_vector_head() ? "yes" : "no", board_has_raster_head() ? "yes" : "no");
     if (board_entry() != BOARD_NO_ENTRY)
         printf("A display file is loaded; it starts at %06lo.\n", (unsigned long)board_entry());
 }

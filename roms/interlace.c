@@ -99,7 +99,7 @@ static void writing(const struct picture *p, int x, int y)
 {
     static const char *const words[] = {"ONE ROW HIGH:", "these feet flicker"};
     static const char *const double_words[] = {"TWO ROWS HIGH:", "these stand still"};
-    int line = 480 * (FONT_HEIGHT + 2) / p->canvas.height;
+    int line = (480 * (FONT_HEIGHT + 2) + p->canvas.height - 1) / p->canvas.height;
     for (int i = 0; i < 2; i++) {
         text(p, x, y + i * line, 1, words[i]);
         text(p, x, y + (2 + 2 * i) * line + line / 2, 2, double_words[i]);

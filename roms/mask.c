@@ -1,7 +1,11 @@
 /* mask — something to look at through a microscope: white, single dots, a line of text.
  *
- *      kinescope capture roms/mask.elf --closeup 512,384,16 -o mask.png        (COLOR17's mode)
- *      kinescope capture roms/mask.elf --tube GRILLE17 --closeup 640,512,16 -o grille.png
+ *      kinescope capture roms/mask.elf --closeup 512,384,18 --gain x0.3 -o delta.png
+ *      kinescope capture roms/mask.elf --tube GRILLE17 --closeup 640,512,16 --gain x0.3 -o grille.png
+ *      kinescope capture roms/mask.elf --tube SLOT14 --closeup 320,240,24 --gain x0.3 -o slot.png
+ *
+ * Without the lower gain what is white from afar is too bright near by: only a fifth of the screen
+ * glows for each colour.
  *
  * The field is white: red, green and blue phosphor glow alike, and only their pattern is seen. In
  * the middle of the screen lies a dark window with a line of text; below it, from left to right,

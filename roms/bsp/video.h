@@ -71,7 +71,7 @@ uint32_t video_height_um(void);
 /* Waits until vertical retrace begins: at least a moment, at most a field. Interrupts are taken
  * meanwhile. Not within irq_lock or a handler. Returns at once while the head is off. */
 void video_wait_retrace(void);
-/* Retraces since video_open; counts only while something waits or a handler is set. */
+/* Retraces since somebody first waited for one or set a handler. */
 uint32_t video_retraces(void);
 
 /* Calls handler(ctx) when retrace begins; when the beam begins a row. Interrupts are off

@@ -150,6 +150,12 @@ static void report(const struct contest *c)
            c->film.grid.rows, c->film.colours);
 }
 
+#define CONTEST(name_, mode_, row_, phosphor_, pictures_, changing_, threads_, simd_)              \
+    {                                                                                              \
+        .name = name_, .mode = &mode_, .row = &row_, .phosphor = phosphor_, .pictures = pictures_, \
+        .changing = changing_, .threads = threads_, .simd = simd_                                  \
+    }
+
 int main(int argc, char **argv)
 {
     struct crt_tube_row colour = line_model_colour_row(320, 240, 0.445);
@@ -165,18 +171,19 @@ int main(int argc, char **argv)
     uint8_t *three = make_pictures(&xga, 3, false), *noise = make_pictures(&xga, 3, true);
     uint8_t *one = make_pictures(&vga, 1, false);
     struct contest contests[] = {
-        {"colour changing avx2", &xga, &colour, &p22, three, true, 1, CRT_SIMD_AVX2},
-        {"colour noise avx2", &xga, &colour, &p22, noise, true, 1, CRT_SIMD_AVX2},
-        {"colour changing avx2, 2 threads", &xga, &colour, &p22, three, true, 2, CRT_SIMD_AVX2},
-        {"colour static avx2", &xga, &colour, &p22, three, false, 1, CRT_SIMD_AVX2},
-        {"colour static avx2, 2 threads", &xga, &colour, &p22, three, false, 2, CRT_SIMD_AVX2},
-        {"colour changing baseline", &xga, &colour, &p22, three, true, 1, CRT_SIMD_BASELINE},
-        {"colour static baseline", &xga, &colour, &p22, three, false, 1, CRT_SIMD_BASELINE},
-        {"white changing avx2", &vga, &white, p4, one, true, 1, CRT_SIMD_AVX2},
-        {"white changing avx2, 2 threads", &vga, &white, p4, one, true, 2, CRT_SIMD_AVX2},
-        {"white static avx2", &vga, &white, p4, one, false, 1, CRT_SIMD_AVX2},
-        {"white changing baseline", &vga, &white, p4, one, true, 1, CRT_SIMD_BASELINE},
-        {"white static baseline", &vga, &white, p4, one, false, 1, CRT_SIMD_BASELINE},
+        CONTEST("colour changing avx2", xga, colour, &p22, three, true, 1, CRT_SIMD_AVX2),
+        CONTEST("colour noise avx2", xga, colour, &p22, noise, true, 1, CRT_SIMD_AVX2),
+        CONTEST("colour changing avx2, 2 threads", xga, colour, &p22, three, true, 2,
+                CRT_SIMD_AVX2),
+        CONTEST("colour static avx2", xga, colour, &p22, three, false, 1, CRT_SIMD_AVX2),
+        CONTEST("colour static avx2, 2 threads", xga, colour, &p22, three, false, 2, CRT_SIMD_AVX2),
+        CONTEST("colour changing baseline", xga, colour, &p22, three, true, 1, CRT_SIMD_BASELINE),
+        CONTEST("colour static baseline", xga, colour, &p22, three, false, 1, CRT_SIMD_BASELINE),
+        CONTEST("white changing avx2", vga, white, p4, one, true, 1, CRT_SIMD_AVX2),
+        CONTEST("white changing avx2, 2 threads", vga, white, p4, one, true, 2, CRT_SIMD_AVX2),
+        CONTEST("white static avx2", vga, white, p4, one, false, 1, CRT_SIMD_AVX2),
+        CONTEST("white changing baseline", vga, white, p4, one, true, 1, CRT_SIMD_BASELINE),
+        CONTEST("white static baseline", vga, white, p4, one, false, 1, CRT_SIMD_BASELINE),
     };
     if (!three || !noise || !one)
         return 1;

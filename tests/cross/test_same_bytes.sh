@@ -1,5 +1,6 @@
 #!/bin/sh
-# The same film bytes from gcc and clang, baseline and AVX2, 1, 2 and 4 threads, x86-64 and aarch64; and
+# The same film bytes of strokes and scan lines from gcc and clang, baseline and AVX2, 1, 2 and 4 threads, x86-64 and
+# aarch64; and
 # of firmware that rewrites its display file while it is refreshed the same trace of 1000 refreshes.
 # What is not installed is skipped, visibly.
 set -u
@@ -58,7 +59,7 @@ sources="$(ls crt/*.c display_file/*.c | grep -vE '_avx2|png|glass|gl_|ini|image
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -I. -pthread"
 compile() { # COMPILER...: its objects, then the programs
     rm -rf "$out/objects"
-    for source in $sources tests/cross/*_bytes.c; do
+    for source in $sources tests/support/line_model.c tests/cross/*_bytes.c; do
         mkdir -p "$out/objects/$(dirname "$source")"
         # shellcheck disable=SC2086
         "$@" $flags -c -o "$out/objects/${source%.c}.o" "$source" || return 1
@@ -72,7 +73,7 @@ compile() { # COMPILER...: its objects, then the programs
         ;;
     esac
     objects=$(find "$out/objects" -name '*.o' ! -path '*/cross/*' | sort)
-    for main in film_bytes raster_bytes trace_bytes; do
+    for main in film_bytes lines_bytes raster_bytes trace_bytes; do
         # shellcheck disable=SC2086
         "$@" $flags -o "$out/$main" "$out/objects/tests/cross/$main.o" $objects -lm || return 1
     done
@@ -88,6 +89,14 @@ cross() { # NAME RUNNER COMPILER...
         want=$raster
         check "$name: film of the raster head" "$($runner "$out/raster_bytes" roms/pattern.elf COLOR17 500000000000 2 | sum)"
         want=$film
+        lines=$($runner "$out/lines_bytes" | sum)
+        if [ -n "$first" ]; then
+            film=$want want=$first_lines
+            check "$name: scan lines as from $first_name" "$lines"
+            want=$film
+        else
+            first_lines=$lines
+        fi
         trace=$($runner "$out/trace_bytes" $firmware $refreshes | sum)
         if [ -n "$first" ]; then
             film=$want want=$first

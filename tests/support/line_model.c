@@ -149,6 +149,14 @@ struct sweep {
     double lit;        /* s */
 };
 
+/* Notes a moment within a dot; no number is none. */
+static int add_inside(double *at, int n, double moment, double dot_s)
+{
+    if (moment > 0 && moment < dot_s)
+        at[n++] = moment;
+    return n;
+}
+
 /* Light of one dot: from `v` at its start the amplifier goes to `drive`. */
 static double dot_light(const struct sweep *s, int dot, double v, double drive, double tau)
 {
@@ -159,24 +167,23 @@ static double dot_light(const struct sweep *s, int dot, double v, double drive, 
     int n = 0;
     at[n++] = 0;
     at[n++] = dot_s;
-    at[n++] = s->a - start;
-    at[n++] = s->b - start;
-    for (double t = 0.25; t < 60; t *= 1.5)
-        at[n++] = t * tau;
+    n = add_inside(at, n, s->a - start, dot_s);
+    n = add_inside(at, n, s->b - start, dot_s);
+    for (double t = 0.5; t < 60; t *= 2)
+        n = add_inside(at, n, t * tau, dot_s);
     if (drive > 1 || drive < 0 || v > 1 || v < 0) { /* where it is clipped */
-        at[n++] = tau * log((v - drive) / (1 - drive));
-        at[n++] = tau * log((v - drive) / (0 - drive));
+        n = add_inside(at, n, tau * log((v - drive) / (1 - drive)), dot_s);
+        n = add_inside(at, n, tau * log((v - drive) / (0 - drive)), dot_s);
     }
     double there = (s->x - (double)s->line->x0) / speed - start, sigma_s = sigma0 / speed;
-    for (int i = -24; i <= 24; i++)
-        at[n++] = there + i * 0.5 * sigma_s;
+    for (int i = -12; i <= 12; i++)
+        n = add_inside(at, n, there + i * sigma_s, dot_s);
     for (int k = 0; k < s->m->phosphor->terms; k++)
         for (double back = 0.25; back < 40; back *= 2) {
-            at[n++] = s->a - start - back * s->m->phosphor->term[k].tau_s;
-            at[n++] = s->b - start - back * s->m->phosphor->term[k].tau_s;
+            double tau_s = s->m->phosphor->term[k].tau_s;
+            n = add_inside(at, n, s->a - start - back * tau_s, dot_s);
+            n = add_inside(at, n, s->b - start - back * tau_s, dot_s);
         }
-    for (int i = 0; i < n; i++)
-        at[i] = at[i] > 0 ? fmin(at[i], dot_s) : 0; /* NaN, too */
     qsort(at, (size_t)n, sizeof at[0], ascending);
     for (int i = 0; i + 1 < n; i++)
         for (int j = 0; j < 8 && at[i + 1] > at[i]; j++) {
@@ -208,8 +215,8 @@ static double line_light(const struct sweep *s)
     double dot_s = s->lit / s->line->dots, reach = 0;
     double pitch = ((double)s->line->x1 - (double)s->line->x0) / s->line->dots;
     double sigma0 = r->spot.value / CRT_WIDTH60_SIGMA;
-    reach = 9 * (sqrt(sigma0 * sigma0 + r->spot_growth.value * r->spot_growth.value) *
-                 r->spot_edge.value * sqrt(1 + knobs->focus * knobs->focus)) +
+    reach = 6.5 * (sqrt(sigma0 * sigma0 + r->spot_growth.value * r->spot_growth.value) *
+                   r->spot_edge.value * sqrt(1 + knobs->focus * knobs->focus)) +
             r->converge.value + 2 * r->converge_edge.value;
     if (fabs(s->y - (double)s->line->y0) > reach)
         return 0;
