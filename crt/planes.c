@@ -45,14 +45,14 @@ bool crt_planes_add(struct crt_planes *planes, int term, float factor)
 }
 
 bool crt_planes_init(struct crt_planes *planes, const struct crt_phosphor *phosphor, int cols,
-                     int rows, double epoch_s, const struct crt_kernels *kernels)
+                     int rows, double epoch_s, double least, const struct crt_kernels *kernels)
 {
-    *planes = (struct crt_planes){.kernels = kernels, .cols = cols, .rows = rows};
+    *planes = (struct crt_planes){.kernels = kernels, .cols = cols, .rows = rows, .least = least};
     planes->tile_cols = (cols + CRT_TILE_COLS - 1) / CRT_TILE_COLS;
     planes->tile_rows = (rows + CRT_TILE_ROWS - 1) / CRT_TILE_ROWS;
     for (int k = 0; k < phosphor->terms; k++) {
         double factor = crt_exp(-epoch_s / phosphor->term[k].tau_s);
-        if (factor <= CRT_PLANE_SHARE)
+        if (factor <= least)
             continue;
         if (!crt_planes_add(planes, k, (float)factor)) {
             crt_planes_free(planes);

@@ -20,8 +20,10 @@
 /* Stored energy too faint ever to be seen, cd·s/m². */
 #define CRT_STORED_FLOOR 1e-9F
 
-/* A term gets a plane when more than this share of it outlives an epoch. */
-#define CRT_PLANE_SHARE 1e-6
+/* A term gets a plane when more than this share of it outlives an epoch. Scan lines light every cell in
+ * every epoch, where each plane is a burden; they lose at most that share of a term's light. */
+#define CRT_PLANE_SHARE       1e-6
+#define CRT_PLANE_SHARE_LINES 1e-4
 
 struct crt_plane {
     int term;     /* of the phosphor */
@@ -35,6 +37,7 @@ struct crt_plane {
 struct crt_planes {
     const struct crt_kernels *kernels;
     int cols, rows, tile_cols, tile_rows;
+    double least; /* CRT_PLANE_SHARE, or that of lines */
     int count;
     struct crt_plane plane[CRT_MAX_TERMS];
     uint64_t epoch; /* the epoch that has begun: planes are as of its start */
@@ -47,7 +50,7 @@ struct crt_planes {
 float *crt_cells_alloc(size_t cells);
 
 bool crt_planes_init(struct crt_planes *planes, const struct crt_phosphor *phosphor, int cols,
-                     int rows, double epoch_s, const struct crt_kernels *kernels);
+                     int rows, double epoch_s, double least, const struct crt_kernels *kernels);
 /* One more plane, dark; false when memory is out. */
 bool crt_planes_add(struct crt_planes *planes, int term, float factor);
 /* No planes any more. */

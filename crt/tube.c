@@ -85,7 +85,8 @@ struct crt_tube *crt_tube_create(const struct crt_tube_desc *desc, struct crt_er
     tube->end = crt_tick_time(desc->epoch, 1);
     double epoch_s = (double)desc->epoch.den / (double)desc->epoch.num;
     int cols = desc->grid.cols, rows = desc->grid.rows;
-    bool ok = crt_planes_init(&tube->planes, desc->phosphor, cols, rows, epoch_s, kernels);
+    double least = desc->row->kind == CRT_RASTER_TUBE ? CRT_PLANE_SHARE_LINES : CRT_PLANE_SHARE;
+    bool ok = crt_planes_init(&tube->planes, desc->phosphor, cols, rows, epoch_s, least, kernels);
     if (ok) {
         crt_tube_note_quick(tube);
         tube->pass = crt_pass_create(cols, rows, tube->planes.count, desc->threads);

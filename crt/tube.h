@@ -15,7 +15,8 @@
  * Observing:  never changes state: an exposure or a probe is a function of planes (as of the last
  *             epoch) and journal (strokes and lines since); a film's samples depend on its interval only,
  *             never on what else was observed, on the number of threads or on the instruction set.
- * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above CRT_PLANE_SHARE);
+ * Planes:     one per phosphor term that outlives an epoch (e^(−T/τ) above CRT_PLANE_SHARE, of
+ *             raster tubes CRT_PLANE_SHARE_LINES);
  *             shorter terms are computed from the journal of this and the previous epoch. Planes stay
  *             when a shorter epoch is set, and join when a term outlives the new one.
  * Ageing:     n epochs are n float multiplications; values below a fixed floor become 0.

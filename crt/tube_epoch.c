@@ -38,7 +38,7 @@ static void add_planes(struct crt_tube *tube, double epoch_s)
     const struct crt_phosphor *phosphor = tube->desc.phosphor;
     for (int k = 0; k < phosphor->terms; k++) {
         bool there = !(tube->quick >> k & 1);
-        if (!there && crt_exp(-epoch_s / phosphor->term[k].tau_s) > CRT_PLANE_SHARE &&
+        if (!there && crt_exp(-epoch_s / phosphor->term[k].tau_s) > tube->planes.least &&
             !crt_planes_add(&tube->planes, k, 0))
             tube->lost++;
     }
