@@ -223,9 +223,11 @@ static void time_state(struct crt_tube *tube, struct crt_state *s)
     crt_state_u64(s, &tube->last_start);
     crt_state_u64(s, &tube->strokes);
     crt_state_u64(s, &tube->lost);
-    if (!crt_state_check(s, tube->now < CRT_STATE_LATEST && tube->last_start < CRT_STATE_LATEST,
+    if (!crt_state_check(s,
+                         tube->now < CRT_STATE_LATEST && tube->last_start < CRT_STATE_LATEST &&
+                             tube->origin <= tube->now,
                          "time"))
-        tube->now = tube->last_start = 0;
+        tube->now = tube->last_start = tube->origin = 0;
     uint64_t epoch = crt_tube_epoch_at(tube, tube->now);
     assert(s->loading || epoch == tube->planes.epoch);
     tube->planes.epoch = epoch;

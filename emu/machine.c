@@ -120,7 +120,8 @@ bool vm_machine_uses_vector(const struct vm_machine *m)
 
 bool vm_machine_uses_raster(const struct vm_machine *m)
 {
-    return m->desc.buffer && m->raster.on;
+    /* On, or off again after it had drawn. */
+    return m->desc.buffer && (m->raster.on || m->raster.lit_until > m->loaded);
 }
 
 bool vm_machine_exited(const struct vm_machine *m, int *status)

@@ -9,16 +9,16 @@
  *      sync ticks ──▶ dpu, stand-in, end of a tube epoch
  *      recording (.beam) ── strokes ─────────────────────────────────────────────────────▲
  *
- * Models:     a vector head with or without a processor, and with a processor a raster head, too. Without one a stand-in does what a refresh
- *             program would: when the display file has stopped it starts it again at the next sync
- *             tick (or not: VM_HALT), and resumes it at the next tick after a pen or character
- *             interrupt. Instead of a display processor a recording of beam pieces can drive the
- *             tube.
- * Time:       picoseconds since power-on. At equal times: raster head, tick, interrupt line, word, console, timer,
- *             processor. An instruction begun at t comes after the word fetched at t; the words
- *             fetched after t see what it stored. What the display processor reports (interrupt lines) rises when
- *             the word that causes it is done; its registers show what the word leads to from its
- *             fetch on.
+ * Models:     a vector head with or without a processor, and with a processor a raster head, too.
+ *             Without a processor a stand-in does what a refresh program would: when the display file
+ *             has stopped it starts it again at the next sync tick (or not: VM_HALT), and resumes it
+ *             at the next tick after a pen or character interrupt. Instead of a display processor a
+ *             recording of beam pieces can drive the tube.
+ * Time:       picoseconds since power-on. At equal times: raster head, tick, interrupt line, word,
+ *             console, timer, processor. An instruction begun at t comes after the word fetched at t
+ *             and the line of pixels read at t; what is fetched or read after t sees what it stored.
+ *             What the display processor reports (interrupt lines) rises when the word that causes it
+ *             is done; its registers show what the word leads to from its fetch on.
  * Refresh:    emu/refresh.h. Refreshes are counted from 1 as they end. Of a program that uses the
  *             raster head and has never started the display processor, a refresh is a frame.
  * Ownership:  the caller owns the struct (280 KiB: not for small stacks); board, console, tubes and
@@ -121,7 +121,6 @@ struct vm_machine {
     struct vm_interrupt interrupt[DF_INT_COUNT];
     struct ras_head raster;   /* with desc.buffer */
     uint64_t raster_advanced; /* what the raster tube was last told */
-    uint64_t scan_lines;      /* given to it, or to nobody */
     uint16_t memory[DF_MEMORY_BYTES / 2];
 };
 
@@ -160,7 +159,7 @@ bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t lim
 bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit);
 
 /* A copy that goes on alone, without tubes, console and pen: for looking ahead. `copy` need not be
- * initialised; vm_machine_forget frees what the copy of a board took. False: out of memory. */
+ * initialised; vm_machine_forget frees its board and refresh buffer. False: out of memory. */
 bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m);
 void vm_machine_forget(struct vm_machine *copy);
 

@@ -7,8 +7,7 @@
 
 static void scan_line(void *ctx, const struct crt_scan_line *line)
 {
-    struct vm_machine *m = ctx;
-    m->scan_lines++;
+    const struct vm_machine *m = ctx;
     crt_tube_scan_line(m->desc.raster_tube, line);
 }
 

@@ -62,7 +62,6 @@ static void raster_state(struct vm_machine *m, struct crt_state *s)
 {
     if (!m->desc.buffer)
         return;
-    crt_state_u64(s, &m->scan_lines);
     crt_state_pages(s, m->desc.buffer, VIDEO_BUFFER_BYTES);
 }
 
@@ -153,7 +152,8 @@ static bool sane_tube(const struct vm_machine *m)
     return times.now == m->now && times.last_start <= drawn;
 }
 
-/* So has the raster tube; the raster head's lines are as it has them. */
+/* So has the raster tube, whose next line begins after the last one; the raster head's lines are as
+ * it has them. */
 static bool sane_raster(const struct vm_machine *m)
 {
     if (!m->desc.buffer)
@@ -165,7 +165,10 @@ static bool sane_raster(const struct vm_machine *m)
         if ((m->desc.board->irq.pending >> line[i] & 1) !=
             ras_head_interrupt(&m->raster, (enum ras_interrupt)i))
             return false;
-    return !m->desc.raster_tube || crt_tube_times(m->desc.raster_tube).now == m->now;
+    if (!m->desc.raster_tube)
+        return true;
+    struct crt_tube_times times = crt_tube_times(m->desc.raster_tube);
+    return times.now == m->now && times.last_start <= m->raster.lit_until;
 }
 
 static void check(struct vm_machine *m, struct crt_state *s)

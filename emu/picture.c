@@ -136,7 +136,7 @@ bool vm_studio_picture(struct vm_studio *studio, const struct vm_frame *frame,
 bool vm_buffer_picture(const struct vm_machine *m, int depth, struct crt_image *image,
                        struct crt_error *err)
 {
-    uint32_t colour[4096 + 8];
+    uint32_t colour[RAS_MAX_DOTS + 8];
     const struct ras_timing *timing = &m->raster.timing;
     uint16_t scale = depth == 16 ? 257 : 1; /* 255 becomes 65535 */
     if (!crt_image_init(image, (int)timing->h.visible, (int)timing->v.visible, depth, err))

@@ -222,28 +222,15 @@ double vm_window_time(void)
     return (double)glfwGetTimerValue() / (double)glfwGetTimerFrequency();
 }
 
-static bool visible_size(const struct vm_window *window, int *width, int *height,
-                         struct crt_error *err)
-{
-    vm_window_size(window, width, height);
-    return (*width > 0 && *height > 0) ||
-           crt_fail(err, "the window is minimised, there is no picture to take; restore it first");
-}
-
-bool vm_window_screenshot(struct vm_window *window, struct crt_glass *glass,
-                          const struct crt_glass_settings *settings, int depth,
-                          struct crt_image *out, struct crt_error *err)
-{
-    int width, height;
-    return visible_size(window, &width, &height, err) &&
-           crt_glass_render(glass, settings, width, height, depth, out, err);
-}
-
 bool vm_window_read_pixels(struct vm_window *window, struct crt_image *out, struct crt_error *err)
 {
     const struct crt_gl *gl = &window->gl;
     int width, height;
-    if (!visible_size(window, &width, &height, err) || !crt_image_init(out, width, height, 8, err))
+    vm_window_size(window, &width, &height);
+    if (width <= 0 || height <= 0)
+        return crt_fail(err,
+                        "the window is minimised, there is no picture in it; restore it first");
+    if (!crt_image_init(out, width, height, 8, err))
         return false;
     size_t row = (size_t)width * 3;
     uint8_t *rgb = malloc(row * (size_t)height);

@@ -158,12 +158,6 @@ void vm_window_show_cursor(struct vm_window *window, bool shown);
 /* Seconds of a monotonic clock, from an arbitrary origin. */
 double vm_window_time(void);
 
-/* The picture in the window, drawn again through crt_glass_render at the window's size (overlay
- * included if the glass has one). depth 8 or 16. Fails with a sentence while minimised. */
-bool vm_window_screenshot(struct vm_window *window, struct crt_glass *glass,
-                          const struct crt_glass_settings *settings, int depth,
-                          struct crt_image *out, struct crt_error *err);
-
 /* What framebuffer 0 holds right now, 8 bit: call after drawing, before the swap. */
 bool vm_window_read_pixels(struct vm_window *window, struct crt_image *out, struct crt_error *err);
 

@@ -269,6 +269,8 @@ static void frames_are_refreshes_until_the_display_processor_starts(void **state
     }
     assert_int_equal(vm_view_now(VM_VIEW_AUTO, m), VM_VIEW_RASTER);
     assert_int_equal(vm_view_exposure(VM_VIEW_RASTER, m), DOT(TOTAL));
+    assert_true(bus_store(&m->desc.board->bus, VIDEO(VIDEO_CONTROL), 4, 0));
+    assert_int_equal(vm_view_now(VM_VIEW_AUTO, m), VM_VIEW_RASTER); /* as when the mode changes */
     assert_true(bus_store(&m->desc.board->bus, MAP_DPU + DF_DPC, 2, 01000));
     assert_int_equal(vm_view_now(VM_VIEW_AUTO, m), VM_VIEW_BOTH);
     assert_int_equal(vm_view_now(VM_VIEW_RASTER, m), VM_VIEW_RASTER);
