@@ -3,6 +3,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "crt/plan.h"
+#include "crt/spot.h"
 #include "emu/capture_parts.h"
 #include "emu/command.h"
 #include "emu/progress.h"
@@ -46,16 +48,40 @@ static bool plan_closeup(struct vm_capture *c, const struct vm_machine *m, struc
     if (c->closeup.width_mm > most)
         return crt_fail(err, "--closeup: %g mm is more than this tube has; give at most %g",
                         c->closeup.width_mm, most);
+    double coarsest = crt_spot_sigma0(&c->settings.monitor[head].row) / CRT_LEAST_SIGMA;
+    if (c->closeup.width_mm > coarsest * size.width)
+        return crt_fail(
+            err,
+            "--closeup: %g mm over %d pixels is coarser than the spot of this tube; give "
+            "at most %.3g mm, or a --size of %.0f or more across",
+            c->closeup.width_mm, size.width, coarsest * size.width,
+            ceil(c->closeup.width_mm / coarsest / 8) * 8);
     vm_view_place(c->view, m, c->closeup.x, c->closeup.y, &x, &y);
     c->tubes.desc[head].grid = crt_grid_closeup(x, y, c->closeup.width_mm, size.width, size.height);
     c->tubes.desc[head].microscope = true;
     return true;
 }
 
+/* A head that is to be looked at, and has not been used although the other one has. */
+static bool check_use(const struct vm_capture *c, const struct vm_machine *m, struct crt_error *err)
+{
+    bool vector = vm_machine_uses_vector(m), raster = vm_machine_uses_raster(m);
+    if (c->o.allow_dark || c->input.is_recording)
+        return true;
+    if (c->view == VM_VIEW_VECTOR && !vector && raster)
+        return crt_fail(err, "%s draws on the raster head alone by then; give --view raster",
+                        c->input.name);
+    return c->view != VM_VIEW_RASTER || raster ||
+           crt_fail(err, "%s has not switched the raster head on by then; choose a later moment%s",
+                    c->input.name, vector ? ", or --view vector" : "");
+}
+
 /* Which heads, by what tubes, how long. */
 static int plan_view(struct vm_capture *c, const struct vm_machine *m, struct crt_error *err)
 {
     c->view = vm_view_now(c->settings.view, m);
+    if (!check_use(c, m, err))
+        return VM_EXIT_TROUBLE;
     c->tubes = vm_settings_tubes(&c->settings, c->view);
     if (c->o.buffer)
         c->tubes.heads = 0;

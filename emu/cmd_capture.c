@@ -60,7 +60,8 @@ static bool check_options(struct vm_capture *c, struct crt_error *err)
     c->sequence = o->from.given || o->to.given || o->fps.num || c->strip;
     if (o->film && o->glass)
         return crt_fail(err, "--film and --glass exclude each other");
-    if (o->buffer && (o->film || o->glass || o->closeup || o->size.width))
+    if (o->buffer &&
+        (o->film || o->glass || o->closeup || o->size.width || o->light.gain || o->light.room >= 0))
         return crt_fail(err, "--buffer is what the program has stored, before any tube; leave out "
                              "--film, --glass, --closeup and --size");
     if (o->closeup && o->glass)

@@ -185,6 +185,13 @@ static int judge(struct trace *t, struct vm_rig *rig, struct crt_error *err)
     if (rig->machine->strokes == 0 && !rig->board)
         vm_machine_run(rig->machine, VM_SETTLED_PS);
     enum vm_trouble found = vm_find_trouble(rig->machine, &t->input, &trouble);
+    if (what_of(t) == VM_TRACE_VIDEO && !vm_machine_uses_raster(rig->machine)) {
+        crt_fail(err,
+                 "%s has not switched the raster head on by then: there are no rows and no sync "
+                 "pulses",
+                 t->input.name);
+        return VM_EXIT_TROUBLE;
+    }
     if (found == VM_NO_TROUBLE || (found == VM_TROUBLE_DARK && what_of(t) != VM_TRACE_BEAM))
         return VM_EXIT_OK;
     *err = trouble;

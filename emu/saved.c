@@ -37,7 +37,15 @@ bool vm_saved_load(const struct vm_saved_options *o, struct vm_rig *rig,
                    const struct vm_settings *settings, const struct vm_input *input,
                    struct crt_error *err)
 {
-    return !o->load || vm_snapshot_load(o->load, rig, settings, input, err);
+    if (!o->load)
+        return true;
+    if (!vm_snapshot_load(o->load, rig, settings, input, err))
+        return false;
+    /* Knobs are part of the snapshot; those of --set are turned now. */
+    for (int h = 0; h < VM_HEADS; h++)
+        if (rig->tube[h] && settings->monitor[h].turned)
+            crt_tube_set_knobs(rig->tube[h], settings->monitor[h].knobs);
+    return true;
 }
 
 bool vm_saved_save(const struct vm_saved_options *o, struct vm_rig *rig,

@@ -20,8 +20,10 @@ const struct vm_option vm_settings_rows[VM_SETTINGS_ROWS] = {
      0, 0},
     {"phosphor", 0, VM_OPT_STRING, ROW(phosphor), "NAME",
      "phosphor instead of the tube's own (list phosphors)", 0, 0},
-    {"mode", 0, VM_OPT_STRING, ROW(mode), "WxH@HZ[i]",
-     "what the raster head begins with, such as 640x480@60 (list modes); default the tube's", 0, 0},
+    {"mode", 0, VM_OPT_STRING, ROW(mode), "MODE",
+     "what the raster head begins with: a mode of the table (list modes), or any WxH, WxH@HZ or "
+     "WxH@HZi; default the tube's",
+     0, 0},
     {"view", 0, VM_OPT_CHOICE, ROW(view), VM_VIEW_NAMES,
      "which head to look at; default auto: those the program uses", 0, 0},
     {"tubes", 0, VM_OPT_LIST, ROW(tubes), "FILE.ini", "read more tubes and phosphors", 0, 0},
@@ -253,6 +255,7 @@ int vm_settings_resolve(const struct vm_settings_options *o,
     for (int i = 0; i < o->tubes.count; i++)
         if (!crt_catalogue_load(&s->catalogue, o->tubes.item[i], err))
             return 1;
+    s->raster_asked = o->mode != NULL;
     int status = choose_tubes(s, o, recording, tube, err);
     if (status)
         return status;

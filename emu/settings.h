@@ -38,6 +38,7 @@ struct vm_monitor {
     struct crt_tube_row row;
     struct crt_phosphor phosphor;
     struct crt_knobs knobs;
+    bool turned; /* by --set */
 };
 
 struct vm_settings {
@@ -47,6 +48,7 @@ struct vm_settings {
     enum vm_head main;
     struct crt_rate tick;     /* of the vector head */
     struct ras_timing timing; /* of the raster head at power-on */
+    bool raster_asked;        /* --mode or --set raster.… is given */
     uint32_t memory_bytes;
     uint64_t average_ps; /* 0 = the row's times */
     enum vm_on_stop on_stop;

@@ -89,8 +89,11 @@ static bool set_knob(struct vm_settings *s, unsigned heads, const char *name, co
 {
     for (int h = 0; h < VM_HEADS; h++) {
         double low, high, *knob = knob_of(&s->monitor[h].knobs, name, &low, &high);
-        if ((heads >> h & 1) && !vm_parse_real(text, low, high, knob, err))
+        if (!(heads >> h & 1))
+            continue;
+        if (!vm_parse_real(text, low, high, knob, err))
             return false;
+        s->monitor[h].turned = true;
     }
     return true;
 }
@@ -130,6 +133,7 @@ static bool set_one(struct vm_settings *s, const char *item, struct crt_error *e
         return set_average(s, text, err);
     if (strncmp(name, "vector.", 7) == 0 || strncmp(name, "raster.", 7) == 0) {
         heads = name[0] == 'v' ? VM_VIEW_VECTOR : VM_VIEW_RASTER;
+        s->raster_asked |= heads == VM_VIEW_RASTER;
         name += 7;
         if (strcmp(name, "memory") == 0 || strcmp(name, "dpu.average") == 0)
             return crt_fail(err, "%s belongs to no head; leave out '%.7s'", name, key);

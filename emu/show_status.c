@@ -61,6 +61,24 @@ static const char *describe_state(const struct vm_machine *m)
     return "";
 }
 
+/* What is looked at; of the raster head with its mode. */
+static void describe_tubes(const struct vm_show *show, char *tube, char *phosphor, size_t size)
+{
+    const struct vm_monitor *m = show->program->settings.monitor;
+    char mode[32];
+    ras_timing_name(&show->program->rig.machine->raster.timing, mode, sizeof mode);
+    if (show->view_drawn == VM_VIEW_RASTER) {
+        snprintf(tube, size, "%s", m[VM_RASTER].row.name);
+        snprintf(phosphor, size, "%s  %s", m[VM_RASTER].phosphor.name, mode);
+    } else if (show->view_drawn == VM_VIEW_BOTH) {
+        snprintf(tube, size, "%s + %s", m[VM_VECTOR].row.name, m[VM_RASTER].row.name);
+        snprintf(phosphor, size, "%s  %s", m[VM_RASTER].phosphor.name, mode);
+    } else {
+        snprintf(tube, size, "%s", m[VM_VECTOR].row.name);
+        snprintf(phosphor, size, "%s", m[VM_VECTOR].phosphor.name);
+    }
+}
+
 bool vm_status_text(const struct vm_status *s, int columns, char *text, size_t size)
 {
     /* What is left out first is what changes least. */
@@ -68,7 +86,7 @@ bool vm_status_text(const struct vm_status *s, int columns, char *text, size_t s
         char rate[32] = "", words[32] = "", tube[96] = "";
         if (s->rate_hz > 0)
             snprintf(rate, sizeof rate, "  %.1f Hz", s->rate_hz);
-        if (s->rate_hz > 0 && left_out < 1)
+        if (s->rate_hz > 0 && s->words > 0 && left_out < 1)
             snprintf(words, sizeof words, "  %llu words", (unsigned long long)s->words);
         if (left_out < 3)
             snprintf(tube, sizeof tube, "  %s%s%s", s->tube, left_out < 2 ? "/" : "",
@@ -83,12 +101,9 @@ bool vm_status_text(const struct vm_status *s, int columns, char *text, size_t s
 
 void vm_show_status(struct vm_show *show, double now)
 {
-    char text[400], time[32], scale[64];
+    char text[400], time[32], scale[64], tube[64], phosphor[64];
     int width, height;
     const struct vm_machine *m = show->program->rig.machine;
-    const struct vm_monitor *monitor =
-        &show->program->settings
-             .monitor[show->view_drawn == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR];
     measure_speed(show, now);
     if (now - show->status_since < STATUS_S)
         return;
@@ -101,9 +116,10 @@ void vm_show_status(struct vm_show *show, double now)
                                    : 8,
              (double)m->now / (double)CRT_PS_PER_S);
     describe_scale(show, scale, sizeof scale);
+    describe_tubes(show, tube, phosphor, sizeof tube);
     const struct vm_status status = {.name = show->program->input.name,
-                                     .tube = monitor->row.name,
-                                     .phosphor = monitor->phosphor.name,
+                                     .tube = tube,
+                                     .phosphor = phosphor,
                                      .time = time,
                                      .scale = scale,
                                      .state = describe_state(m),

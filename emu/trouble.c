@@ -28,8 +28,9 @@ static void explain_dark(const struct vm_machine *m, const struct vm_input *inpu
     if (input->is_recording) {
         crt_fail(sentence, "%s has no stroke in its first %s", input->name, after);
     } else if (vm_machine_exited(m, &status)) {
-        crt_fail(sentence, "%s has ended itself with status %d and has not lit the beam",
-                 input->name, status);
+        bool said = m->desc.console && m->desc.console->sent;
+        crt_fail(sentence, "%s has ended itself with status %d and has not lit the beam%s",
+                 input->name, status, said ? "; run --headless --console shows what it said" : "");
     } else if (m->refreshes.flow.loops) {
         place(input, m->refreshes.flow.head == VM_NO_HEAD ? m->entry : m->refreshes.flow.head,
               where, sizeof where);

@@ -10,11 +10,12 @@ enum vm_view vm_view_now(enum vm_view wanted, const struct vm_machine *m)
 
 bool vm_view_suits(const struct vm_settings *s, const struct vm_input *input, struct crt_error *err)
 {
-    if (input->has_firmware || (s->main == VM_VECTOR && !(s->view & VM_VIEW_RASTER)))
+    bool asked = s->main == VM_RASTER || (s->view & VM_VIEW_RASTER) || s->raster_asked;
+    if (input->has_firmware || !asked)
         return true;
     return crt_fail(err,
                     "%s has no firmware, and a raster head (here with tube %s) needs a processor; "
-                    "give a vector tube and --view vector",
+                    "leave out what is for one (--mode, --set raster..., --view, a raster --tube)",
                     input->name, s->monitor[VM_RASTER].row.name);
 }
 

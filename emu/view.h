@@ -13,7 +13,7 @@
 #include "emu/machine.h"
 #include "emu/settings.h"
 
-/* False and a sentence when the options ask for a raster head, by tube or view, and the program has no
+/* False and a sentence when the options ask for a raster head, by tube, view, mode or --set, and the program has no
  * firmware that could use one. */
 bool vm_view_suits(const struct vm_settings *settings, const struct vm_input *input,
                    struct crt_error *err);

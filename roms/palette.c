@@ -29,6 +29,7 @@ struct palette {
     uint32_t *rows;              /* the band's colours, one a row */
     int band_top, band_rows;
     int row;        /* of the band: that the next interrupt sets */
+    int step;       /* rows from line to line: interlaced, a field has every second one */
     unsigned phase; /* of the colours */
     bool still;
 };
@@ -115,14 +116,15 @@ static void band(struct palette *p)
 
 /* ---- in time with the beam --------------------------------------------------------------------- */
 
-/* The row before the band's `row` has begun: its colour is next. */
+/* The line before the band's `row` has begun: its colour is next. */
 static void at_row(void *ctx)
 {
     struct palette *p = ctx;
     video_set_colour(BAND, p->rows[p->row]);
-    if (++p->row == p->band_rows)
-        p->row = 0;
-    video_compare((uint32_t)(p->band_top + p->row - 1));
+    p->row += p->step;
+    if (p->row >= p->band_rows) /* the other field has the others */
+        p->row = p->step == 2 ? 1 - p->row % 2 : 0;
+    video_compare((uint32_t)(p->band_top + p->row - p->step));
 }
 
 static void at_retrace(void *ctx)
@@ -175,6 +177,7 @@ int main(void)
         return 1;
     }
     p.canvas = video_open(8);
+    p.step = video_timing().sync & VIDEO_SYNC_INTERLACED ? 2 : 1;
     p.band_top = p.canvas.height * 7 / 10;
     p.band_rows = p.canvas.height - p.band_top - (FONT_HEIGHT + 8) * scale_of(&p);
     waves();
@@ -186,7 +189,7 @@ int main(void)
     draw(&p);
     video_on_retrace(at_retrace, &p);
     video_on_row(at_row, &p);
-    video_compare((uint32_t)p.band_top - 1);
+    video_compare((uint32_t)(p.band_top - p.step));
     video_on();
     board_mark(1);
     for (;;) {

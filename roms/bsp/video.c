@@ -97,6 +97,8 @@ struct canvas video_open(unsigned bits)
     struct video_timing t = video_timing();
     struct canvas c = {.width = (int)t.h_visible, .height = (int)t.v_visible, .bits = bits};
     c.pitch = canvas_pitch(c.width, bits);
+    if ((uint64_t)c.pitch * t.v_visible > VIDEO_BUFFER_BYTES)
+        c.width = c.height = 0;
     c.pixels = (uint8_t *)MAP_VIDEO_BUFFER;
     c.dots_a_row = 1.0f;
     if (!video_present())

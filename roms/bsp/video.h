@@ -48,7 +48,7 @@ uint32_t video_field_millihertz(const struct video_timing *timing);
 /* ---- pictures ---------------------------------------------------------------------------------- */
 
 /* Page 0 of the present mode, `bits` a pixel: 1, 2, 4, 8 (by the look-up table), 16, 32. It is shown
- * from the next retrace on, or from video_on on. */
+ * from the next retrace on, or from video_on on. Empty when that is more than the buffer holds. */
 struct canvas video_open(unsigned bits);
 /* Sync and picture; a first field begins now. Off: the monitor has no signal and is dark. */
 void video_on(void);
