@@ -65,8 +65,9 @@ static const char *describe_state(const struct vm_machine *m)
 static void describe_tubes(const struct vm_show *show, char *tube, char *phosphor, size_t size)
 {
     const struct vm_monitor *m = show->program->settings.monitor;
-    char mode[32];
-    ras_timing_name(&show->program->rig.machine->raster.timing, mode, sizeof mode);
+    char mode[32] = "";
+    if (show->program->rig.buffer)
+        ras_timing_name(&show->program->rig.machine->raster.timing, mode, sizeof mode);
     if (show->view_drawn == VM_VIEW_RASTER) {
         snprintf(tube, size, "%s", m[VM_RASTER].row.name);
         snprintf(phosphor, size, "%s  %s", m[VM_RASTER].phosphor.name, mode);
