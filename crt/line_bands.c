@@ -42,12 +42,12 @@ static bool grow_to(void *list, size_t *room, size_t count, size_t size)
     return made != NULL;
 }
 
-/* The most lines that a band of any height as passes use can see. */
+/* The most lines that rows of cells worked on together can see; bands begin at any row of tiles. */
 bool crt_line_bands_prepare(struct crt_line_pass *pass)
 {
     const int step = CRT_LINE_STEP;
     size_t most = 0;
-    for (int row = 0; row < pass->grid.rows; row += step) {
+    for (int row = 0; row < pass->grid.rows; row += CRT_TILE_ROWS) {
         size_t first, end;
         lines_near(pass, row, row + step < pass->grid.rows ? row + step : pass->grid.rows, &first,
                    &end);

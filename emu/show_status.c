@@ -69,14 +69,14 @@ static void describe_tubes(const struct vm_show *show, char *tube, char *phospho
     if (show->program->rig.buffer)
         ras_timing_name(&show->program->rig.machine->raster.timing, mode, sizeof mode);
     if (show->view_drawn == VM_VIEW_RASTER) {
-        snprintf(tube, size, "%s", m[VM_RASTER].row.name);
-        snprintf(phosphor, size, "%s  %s", m[VM_RASTER].phosphor.name, mode);
+        snprintf(tube, size, "%.23s", m[VM_RASTER].row.name);
+        snprintf(phosphor, size, "%.15s  %s", m[VM_RASTER].phosphor.name, mode);
     } else if (show->view_drawn == VM_VIEW_BOTH) {
-        snprintf(tube, size, "%s + %s", m[VM_VECTOR].row.name, m[VM_RASTER].row.name);
-        snprintf(phosphor, size, "%s  %s", m[VM_RASTER].phosphor.name, mode);
+        snprintf(tube, size, "%.23s + %.23s", m[VM_VECTOR].row.name, m[VM_RASTER].row.name);
+        snprintf(phosphor, size, "%.15s  %s", m[VM_RASTER].phosphor.name, mode);
     } else {
-        snprintf(tube, size, "%s", m[VM_VECTOR].row.name);
-        snprintf(phosphor, size, "%s", m[VM_VECTOR].phosphor.name);
+        snprintf(tube, size, "%.23s", m[VM_VECTOR].row.name);
+        snprintf(phosphor, size, "%.15s", m[VM_VECTOR].phosphor.name);
     }
 }
 
