@@ -198,6 +198,20 @@ static void samples_depend_on_nothing_else(void **state)
     }
 }
 
+/* Close-ups, of few lines and many rows of cells, whose bands begin wherever threads make them. */
+static void bands_begin_anywhere(void **state)
+{
+    (void)state;
+    for (int rows = 72; rows <= 312; rows += 20) {
+        struct scene s = scene_of(rows % 3);
+        s.grid = crt_grid_closeup(1.5, 2.5 + rows * 0.017, 4, 96, rows);
+        uint64_t want = film_of(&s, plain, FIELD, 2 * FIELD);
+        for (int threads = 2; threads < 7; threads++)
+            assert_true(film_of(&s, (struct how){threads, CRT_SIMD_AUTO, false, 0, false}, FIELD,
+                                2 * FIELD) == want);
+    }
+}
+
 /* ---- energy ---------------------------------------------------------------------------------- */
 
 static double film_sum(const struct crt_film *film)
@@ -407,6 +421,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(samples_depend_on_nothing_else),
+        cmocka_unit_test(bands_begin_anywhere),
         cmocka_unit_test(energy),
         cmocka_unit_test(ripple),
         cmocka_unit_test(set_epoch),
