@@ -183,7 +183,7 @@ static void forged_check_sums_do_no_harm(void **state)
         snap_must_load(b, &fresh);
     }
     print_message("# %u damaged snapshots taken, %u refused\n", taken, no);
-    assert_true(taken > 20 && no > 20);
+    assert_true(taken > 20 && no > 20 / (snap_thorough() ? 1 : 4));
     crt_state_free(&s);
     crt_state_free(&before);
     crt_state_free(&fresh);
