@@ -203,9 +203,9 @@ static void set_up(bool with_firmware)
     settings = (struct vm_settings){
         .tick = {1000, 1}, .memory_bytes = 4096, .personality = DF_VS60, .threads = 1};
     settings.monitor[VM_VECTOR] =
-        (struct vm_monitor){*crt_tube_row_find("VR17"), *crt_phosphor_find("P7"), {0, 1, 0}};
-    settings.monitor[VM_RASTER] =
-        (struct vm_monitor){*crt_tube_row_find("MONO12"), *crt_phosphor_find("P4"), {0, 1, 0}};
+        (struct vm_monitor){*crt_tube_row_find("VR17"), *crt_phosphor_find("P7"), {0, 1, 0}, false};
+    settings.monitor[VM_RASTER] = (struct vm_monitor){
+        *crt_tube_row_find("MONO12"), *crt_phosphor_find("P4"), {0, 1, 0}, false};
     REQUIRE(ras_mode_parse("640x480@60", &settings.timing, &err));
     give_colours(&settings.monitor[VM_VECTOR].row);
     strcpy(input.name, "fuzz");
