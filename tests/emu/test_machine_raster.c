@@ -32,7 +32,8 @@ static void line(void *ctx, const struct crt_scan_line *l)
     watched->first[watched->lines++] = l->drive[0][0];
 }
 
-static struct both *set_up_both(const uint32_t *code, size_t words)
+static struct both *set_up_tube(const char *tube, const char *mode, const uint32_t *code,
+                                size_t words)
 {
     struct crt_error err;
     struct both *r = calloc(1, sizeof *r);
@@ -42,8 +43,8 @@ static struct both *set_up_both(const uint32_t *code, size_t words)
     assert_non_null(r->buffer);
     struct vm_machine_desc desc = r->b->m->desc;
     desc.buffer = r->buffer;
-    desc.raster_row = crt_tube_row_find("MONO12");
-    assert_true(ras_mode_parse("640x480@60", &desc.raster_timing, &err));
+    desc.raster_row = crt_tube_row_find(tube);
+    assert_true(ras_mode_parse(mode, &desc.raster_timing, &err));
     /* A board has its ranges for good: a new one for the machine with two heads. */
     vm_board_destroy(r->b->board);
     r->b->board = desc.board = vm_board_create(
@@ -54,6 +55,11 @@ static struct both *set_up_both(const uint32_t *code, size_t words)
     r->b->m->raster.desc.wires.line = line;
     watched = r;
     return r;
+}
+
+static struct both *set_up_both(const uint32_t *code, size_t words)
+{
+    return set_up_tube("MONO12", "640x480@60", code, words);
 }
 
 static void tear_down_both(struct both *r)
@@ -123,7 +129,8 @@ static const uint32_t painter[] = {
     JUMP_BACK(2),
 };
 
-#define LEFT 25 /* dots: a border of 8 mm where 640 dots are 204 mm; there a line's pixels are read */
+#define LEFT                                                                                       \
+    25 /* dots: a border of 8 mm where 640 dots are 204 mm; there a line's pixels are read */
 
 static void a_line_shows_the_stores_begun_before_it_is_read(void **state)
 {
@@ -277,6 +284,23 @@ static void frames_are_refreshes_until_the_display_processor_starts(void **state
     tear_down_both(r);
 }
 
+/* A field is 262.5 lines of 858 dots at 13.5 MHz; only two make a picture. */
+static void an_interlaced_frame_is_two_fields(void **state)
+{
+    (void)state;
+    struct both *r = set_up_tube("TV12M", "525/60i", waiter, COUNT(waiter));
+    struct vm_machine *m = r->b->m;
+    for (uint64_t n = 1; n < 4; n++) {
+        assert_true(vm_machine_run_refresh(m, 400 * MS));
+        assert_int_equal(m->refreshes.last.number, n);
+        uint64_t length = m->refreshes.last.end - m->refreshes.last.begin;
+        uint64_t want = 858 * 525 * CRT_PS_PER_S / 13500000;
+        assert_true(length >= want && length <= want + 1);
+    }
+    assert_in_range(vm_view_exposure(VM_VIEW_RASTER, m), 33366666666, 33366666667);
+    tear_down_both(r);
+}
+
 /* ---- the bus ------------------------------------------------------------------------------------ */
 
 static void the_bus_takes_what_the_map_says(void **state)
@@ -326,6 +350,7 @@ int main(void)
         cmocka_unit_test(a_copy_goes_on_alone),
         cmocka_unit_test(lines_rise_on_the_dot),
         cmocka_unit_test(frames_are_refreshes_until_the_display_processor_starts),
+        cmocka_unit_test(an_interlaced_frame_is_two_fields),
         cmocka_unit_test(the_bus_takes_what_the_map_says),
         cmocka_unit_test(a_boot_begins_with_an_empty_buffer),
     };

@@ -107,7 +107,7 @@ static void connect(struct watch *w, struct ras_head *head, unsigned settings)
                    .h = {640, 656, 752, 800},
                    .v = {480, 490, 492, 525},
                    .interlaced = (settings & 8) != 0},
-        .wires = {w, see_line, see_interrupt, see_retime},
+        .wires = {w, see_line, see_interrupt, see_retime, NULL},
     };
     if (settings & 4)
         desc.monitor = (struct ras_monitor){15, 40, 40, 130, 60};

@@ -105,7 +105,7 @@ static inline struct head_rig *rig_open(const struct ras_timing *timing, int gun
         .guns = guns,
         .monitor = RIG_ANY_MONITOR,
         .timing = *timing,
-        .wires = {r, rig_see_line, rig_see_irq, rig_see_retime},
+        .wires = {r, rig_see_line, rig_see_irq, rig_see_retime, NULL},
     };
     ras_head_init(&r->head, &desc);
     return r;
