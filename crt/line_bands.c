@@ -42,6 +42,24 @@ static bool grow_to(void *list, size_t *room, size_t count, size_t size)
     return made != NULL;
 }
 
+static bool begin_held(struct crt_line_pass *pass, size_t sets)
+{
+    size_t tiles = ((size_t)pass->grid.cols + CRT_LINE_TILE - 1) / CRT_LINE_TILE;
+    if (!pass->memory) /* nothing is to be reused */
+        return true;
+    if (!grow_to(&pass->key, &pass->key_room, pass->rows, sizeof pass->key[0]))
+        return false;
+    for (size_t i = 0; i < pass->rows; i++) {
+        const struct crt_line_course *c = pass->row[i].course;
+        pass->key[i] = (struct crt_line_key){
+            c->focus, pass->row[i].place->y_mm, pass->row[i].y, c->x0, c->x1, c->dots};
+    }
+    crt_line_held_begin(&pass->held, pass->key, pass->rows,
+                        (size_t)pass->beams.guns * tiles * (size_t)pass->grid.rows, sets,
+                        CRT_LINE_ANCHORS);
+    return true;
+}
+
 /* The most lines that rows of cells worked on together can see; bands begin at any row of tiles. */
 bool crt_line_bands_prepare(struct crt_line_pass *pass)
 {
@@ -54,6 +72,8 @@ bool crt_line_bands_prepare(struct crt_line_pass *pass)
         most = end - first > most ? end - first : most;
     }
     size_t sets = (size_t)pass->beams.sets;
+    if (!begin_held(pass, sets))
+        return false;
     for (int i = 0; i < pass->workers; i++) {
         struct crt_line_worker *w = &pass->worker[i];
         if (!grow_to(&w->lines, &w->lines_room, CRT_LINE_TOGETHER * most * sets * CRT_LINE_TILE,
@@ -62,7 +82,7 @@ bool crt_line_bands_prepare(struct crt_line_pass *pass)
             !grow_to(&w->weights, &w->weights_room, most * sets * CRT_LINE_ANCHORS,
                      sizeof(float)) ||
             !grow_to(&w->lit, &w->lit_room, CRT_LINE_TOGETHER * most * sets, sizeof(bool)) ||
-            !grow_to(&w->slots, &w->slots_room, most * sets, sizeof(int)) ||
+            !grow_to(&w->near, &w->near_room, (most + CRT_HELD_LINES) * sets, sizeof w->near[0]) ||
             !grow_to(&w->pointers, &w->pointers_room, 2 * most * sets, sizeof(float *)))
             return false;
     }
@@ -72,6 +92,7 @@ bool crt_line_bands_prepare(struct crt_line_pass *pass)
 /* What a band's work on a tile of columns is about. */
 struct working {
     const struct crt_line_pass *pass;
+    struct crt_line_held *held;
     struct crt_line_worker *worker;
     int lo, hi, col, cols; /* rows and columns of cells */
     size_t first, end;     /* rows of lines */
@@ -168,8 +189,8 @@ static double lands_at(const struct working *w, const struct crt_line_row *row)
     return own + o->way_y[w->gun] * o->converge_edge * o->per_mm2 * (own * own - middle * middle);
 }
 
-/* Slots of rows of lines and sets that reach a row of cells, and their weights there; none before row of
- * lines *first does. */
+/* Rows of lines and sets that reach a row of cells, and their weights there; none before row of lines
+ * *first does. */
 static int weigh_rows(const struct working *w, int r, size_t *first)
 {
     const struct crt_line_pass *pass = w->pass;
@@ -183,9 +204,11 @@ static int weigh_rows(const struct working *w, int r, size_t *first)
         for (int set = 0; set < sets; set++) {
             size_t slot = (k - w->first) * (size_t)sets + (size_t)set;
             const struct crt_line_across *across = &w->worker->across[slot];
+            float *weights = w->worker->weights + slot * CRT_LINE_ANCHORS;
             if (above > across->low && above < across->high &&
-                pass->kernels->weigh(across, above, w->worker->weights + slot * CRT_LINE_ANCHORS))
-                w->worker->slots[count++] = (int)slot;
+                pass->kernels->weigh(across, above, weights))
+                w->worker->near[count++] =
+                    (struct crt_line_near){k * (size_t)sets + (size_t)set, weights};
         }
     }
     return count;
@@ -202,16 +225,24 @@ static void spread_row(const struct working *w, int r, int t, int near)
     float *cells = target->cells + (size_t)r * (size_t)pass->grid.cols + (size_t)w->col;
     int count = 0;
     for (int i = 0; i < near; i++) {
-        size_t slot = (size_t)w->worker->slots[i];
+        size_t slot = w->worker->near[i].slot - w->first * (size_t)sets;
         if (!w->worker->lit[(size_t)t * all + slot])
             continue;
-        weights[count] = w->worker->weights + slot * CRT_LINE_ANCHORS;
+        weights[count] = w->worker->near[i].weights;
         lines[count++] = line_at(w, t, w->first + slot / (size_t)sets, (int)(slot % (size_t)sets));
     }
     if (count > 0)
         pass->kernels->spread(lines, weights, count, w->cols, pass->even, target->fresh, cells);
     else if (target->fresh)
         memset(cells, 0, (size_t)w->cols * sizeof cells[0]);
+}
+
+/* Where what is known of a row of cells is kept. */
+static size_t held_place(const struct working *w, int r)
+{
+    size_t tiles = ((size_t)w->pass->grid.cols + CRT_LINE_TILE - 1) / CRT_LINE_TILE;
+    size_t tile = (size_t)w->gun * tiles + (size_t)w->col / CRT_LINE_TILE;
+    return tile * (size_t)w->pass->grid.rows + (size_t)r;
 }
 
 static void work_targets(const struct working *w)
@@ -223,10 +254,18 @@ static void work_targets(const struct working *w)
         for (size_t k = w->first; k < w->end; k++)
             for (size_t set = 0; set < sets; set++)
                 *lit++ = combine_row(w, t, k, (int)set);
-    for (size_t k = 0; k < rows * sets; k++)
-        place_across(w, &w->pass->row[w->first + k / sets], (int)(k % sets), &w->worker->across[k]);
+    bool placed = false;
     for (int r = w->lo; r < w->hi; r++) {
-        int near = weigh_rows(w, r, &first);
+        size_t place = held_place(w, r);
+        int near;
+        if (!crt_line_held_find(w->held, place, w->worker->near, &near)) {
+            for (size_t k = 0; k < rows * sets && !placed; k++)
+                place_across(w, &w->pass->row[w->first + k / sets], (int)(k % sets),
+                             &w->worker->across[k]);
+            placed = true;
+            near = weigh_rows(w, r, &first);
+            crt_line_held_store(w->held, place, w->worker->near, near);
+        }
         for (int t = 0; t < w->targets; t++)
             spread_row(w, r, t, near);
     }
@@ -277,11 +316,12 @@ static void clear_fresh(const struct working *w)
                    (size_t)(w->hi - w->lo) * cols * sizeof(float));
 }
 
-void crt_line_pass_band(const struct crt_line_pass *pass, int lo, int hi, int worker,
+void crt_line_pass_band(struct crt_line_pass *pass, int lo, int hi, int worker,
                         struct crt_planes *planes, uint64_t epoch)
 {
     for (int row = lo; row < hi; row += CRT_LINE_STEP) {
-        struct working w = {.pass = pass, .worker = &pass->worker[worker], .lo = row};
+        struct working w = {
+            .pass = pass, .held = &pass->held, .worker = &pass->worker[worker], .lo = row};
         w.hi = row + CRT_LINE_STEP < hi ? row + CRT_LINE_STEP : hi;
         lines_near(pass, w.lo, w.hi, &w.first, &w.end);
         if (w.first == w.end) {

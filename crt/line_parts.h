@@ -10,6 +10,7 @@
 #ifndef CRT_LINE_PARTS_H
 #define CRT_LINE_PARTS_H
 
+#include "crt/line_held.h"
 #include "crt/line_memory.h"
 #include "crt/line_pass.h"
 
@@ -79,8 +80,8 @@ struct crt_line_worker {
     size_t weights_room;
     const float **pointers; /* of lines and weights for the kernel */
     size_t pointers_room;
-    int *slots;
-    size_t slots_room;
+    struct crt_line_near *near;
+    size_t near_room;
     bool *lit; /* [target together][row][set] */
     size_t lit_room;
 };
@@ -94,6 +95,9 @@ struct crt_line_pass {
     struct crt_strip_memory *memory; /* NULL: none */
     bool even;                       /* nothing varies over the screen */
     double area;                     /* crt_line_area() */
+    struct crt_line_held held;
+    struct crt_line_key *key; /* of rows */
+    size_t key_room;
     /* the running pass */
     struct crt_line_target target[CRT_MAX_TARGETS];
     int targets, planes; /* planes come first */

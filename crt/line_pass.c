@@ -49,13 +49,15 @@ void crt_line_pass_destroy(struct crt_line_pass *pass)
         free(pass->worker[i].pointers);
         free(pass->worker[i].weights);
         free(pass->worker[i].across);
-        free(pass->worker[i].slots);
+        free(pass->worker[i].near);
         free(pass->worker[i].lit);
     }
     crt_line_pass_end(pass);
     crt_strip_memory_destroy(pass->memory);
     crt_line_beams_free(&pass->beams);
     free(pass->worker);
+    crt_line_held_free(&pass->held);
+    free(pass->key);
     free(pass->entry);
     free(pass->weight);
     free(pass->row);

@@ -45,7 +45,7 @@ bool crt_line_pass_add(struct crt_line_pass *pass, const struct crt_line_list *l
 bool crt_line_pass_prepare(struct crt_line_pass *pass, struct crt_pool *pool);
 /* Adds the light of lines to rows [lo, hi) of the targets; the first `planes` of them are those of
  * `planes`, made ready as of `epoch`. */
-void crt_line_pass_band(const struct crt_line_pass *pass, int lo, int hi, int worker,
+void crt_line_pass_band(struct crt_line_pass *pass, int lo, int hi, int worker,
                         struct crt_planes *planes, uint64_t epoch);
 /* Figures of the tube's beams. */
 const struct crt_line_beams *crt_line_pass_beams(const struct crt_line_pass *pass);
