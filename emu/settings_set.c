@@ -125,7 +125,7 @@ static bool set_one(struct vm_settings *s, const char *item, struct crt_error *e
     const char *text = item + n + 1, *name = key;
     unsigned heads = VM_VIEW_BOTH;
     double low, high;
-    enum vm_head head;
+    enum vm_head head = VM_VECTOR;
     struct crt_knobs knobs;
     if (strcmp(name, "memory") == 0)
         return set_memory(s, text, err);
