@@ -154,7 +154,7 @@ pictures: all
 	./kinescope capture roms/clock.elf --at 0.7s --size 640x640 -o roms/pictures/clock.png
 	./kinescope capture roms/village.df --at 0.7s --size 640x640 -o roms/pictures/village.png
 	./kinescope capture roms/pattern.elf --size 800x600 -o roms/pictures/pattern.png
-	./kinescope capture roms/mask.elf --closeup 512,380,5 --size 800x600 -o roms/pictures/mask.png
+	./kinescope capture roms/mask.elf --closeup 512,374,14 --size 800x600 -o roms/pictures/mask.png
 	./kinescope capture roms/heads.elf --size 1200x512 -o roms/pictures/heads.png
 	./kinescope capture roms/colours.df --size 640x640 -o roms/pictures/colours.png
 
