@@ -43,10 +43,14 @@ double crt_tone_at(const struct crt_tone *tone, double v)
     return a + (b - a) * ((t - (double)i * i) / (2 * i + 1));
 }
 
+double crt_full_luminance(const struct crt_tube_row *row)
+{
+    return row->kind == CRT_RASTER_TUBE ? row->field_luminance.value : row->line_luminance.value;
+}
+
 double crt_auto_gain(const struct crt_tube_row *row)
 {
-    double full =
-        row->kind == CRT_RASTER_TUBE ? row->field_luminance.value : row->line_luminance.value;
+    double full = crt_full_luminance(row);
     assert(full > 0.0);
     return 0.8 / full;
 }

@@ -55,6 +55,8 @@ struct crt_tone {
 void crt_tone_init(struct crt_tone *tone);
 double crt_tone_at(const struct crt_tone *tone, double v);
 
+/* What `auto` gain shows at 0.8 of white: a full-drive line, or field, cd/m². */
+double crt_full_luminance(const struct crt_tube_row *row);
 double crt_auto_gain(const struct crt_tube_row *row);
 
 /* A colour as the way from D65 to it, at luminance 1 in linear sRGB. */

@@ -42,9 +42,14 @@ static bool grow_to(void *list, size_t *room, size_t count, size_t size)
     return made != NULL;
 }
 
+/* Tiles that columns of cells are worked on in. */
+static size_t tiles_across(const struct crt_line_pass *pass)
+{
+    return ((size_t)pass->grid.cols + CRT_LINE_TILE - 1) / CRT_LINE_TILE;
+}
+
 static bool begin_held(struct crt_line_pass *pass, size_t sets)
 {
-    size_t tiles = ((size_t)pass->grid.cols + CRT_LINE_TILE - 1) / CRT_LINE_TILE;
     if (!pass->memory) /* nothing is to be reused */
         return true;
     if (!grow_to(&pass->key, &pass->key_room, pass->rows, sizeof pass->key[0]))
@@ -55,8 +60,8 @@ static bool begin_held(struct crt_line_pass *pass, size_t sets)
             c->focus, pass->row[i].place->y_mm, pass->row[i].y, c->x0, c->x1, c->dots};
     }
     crt_line_held_begin(&pass->held, pass->key, pass->rows,
-                        (size_t)pass->beams.guns * tiles * (size_t)pass->grid.rows, sets,
-                        CRT_LINE_ANCHORS);
+                        (size_t)pass->beams.guns * tiles_across(pass) * (size_t)pass->grid.rows,
+                        sets, CRT_LINE_ANCHORS);
     return true;
 }
 
@@ -240,8 +245,7 @@ static void spread_row(const struct working *w, int r, int t, int near)
 /* Where what is known of a row of cells is kept. */
 static size_t held_place(const struct working *w, int r)
 {
-    size_t tiles = ((size_t)w->pass->grid.cols + CRT_LINE_TILE - 1) / CRT_LINE_TILE;
-    size_t tile = (size_t)w->gun * tiles + (size_t)w->col / CRT_LINE_TILE;
+    size_t tile = (size_t)w->gun * tiles_across(w->pass) + (size_t)w->col / CRT_LINE_TILE;
     return tile * (size_t)w->pass->grid.rows + (size_t)r;
 }
 

@@ -19,3 +19,8 @@ uint64_t crt_tick_at(struct crt_rate rate, uint64_t t)
     uint64_t n = (uint64_t)(((u128)t + 1) * rate.num / period);
     return crt_tick_time(rate, n) <= t ? n : n - 1;
 }
+
+double crt_rate_hz(struct crt_rate rate)
+{
+    return (double)rate.num / (double)rate.den;
+}

@@ -20,6 +20,9 @@ struct crt_rate {
     uint64_t num, den;
 };
 
+/* The rate as a number, Hz; for people, never for times. */
+double crt_rate_hz(struct crt_rate rate);
+
 /* Time of tick n, ps. */
 uint64_t crt_tick_time(struct crt_rate rate, uint64_t n);
 

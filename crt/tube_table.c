@@ -54,11 +54,6 @@ bool crt_tube_has_group(const struct crt_tube_row *row, enum crt_figure_group gr
 
 bool crt_tube_has_figure(const struct crt_tube_row *row, const char *name)
 {
-#define X(field, unit, meaning)                                                                    \
-    if (strcmp(name, #field) == 0)                                                                 \
-        return true;
-    CRT_FIGURES_COMMON(X)
-#undef X
 #define GROUP(group, FIGURES)                                                                      \
     if (crt_tube_has_group(row, group)) {                                                          \
         FIGURES(X)                                                                                 \
@@ -66,11 +61,13 @@ bool crt_tube_has_figure(const struct crt_tube_row *row, const char *name)
 #define X(field, unit, meaning)                                                                    \
     if (strcmp(name, #field) == 0)                                                                 \
         return true;
+    GROUP(CRT_GROUP_COMMON, CRT_FIGURES_COMMON)
     GROUP(CRT_GROUP_VECTOR, CRT_FIGURES_VECTOR)
     GROUP(CRT_GROUP_PENETRATION, CRT_FIGURES_PENETRATION)
     GROUP(CRT_GROUP_RASTER, CRT_FIGURES_RASTER)
     GROUP(CRT_GROUP_MASK, CRT_FIGURES_MASK)
 #undef X
+#undef GROUP
     return false;
 }
 

@@ -271,11 +271,6 @@ static bool calc_display_list(const struct options *o, const char *name, struct 
     return true;
 }
 
-static double ratio(struct crt_rate rate)
-{
-    return (double)rate.num / (double)rate.den;
-}
-
 static bool calc_mode(const struct options *o, const char *name, struct sheet *s,
                       struct crt_error *err)
 {
@@ -285,7 +280,8 @@ static bool calc_mode(const struct options *o, const char *name, struct sheet *s
     if (!ras_mode_parse(name, &t, err))
         return false;
     ras_timing_name(&t, own, sizeof own);
-    double clock = ratio(t.clock), line = ratio(ras_line_rate(&t)), hz = ratio(ras_field_rate(&t));
+    double clock = crt_rate_hz(t.clock), line = crt_rate_hz(ras_line_rate(&t)),
+           hz = crt_rate_hz(ras_field_rate(&t));
     double near = line / t.v.visible * 0.95 * (t.interlaced ? 2 : 1);
     const char *two = t.interlaced ? "2 x " : "", *what = t.interlaced ? "fields" : "frames";
     say(s, "%s: %.3f MHz, %u dots a line, %u lines a frame in all", own, clock / 1e6, t.h.total,

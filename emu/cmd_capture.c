@@ -63,7 +63,7 @@ static bool check_options(struct vm_capture *c, struct crt_error *err)
     if (o->buffer &&
         (o->film || o->glass || o->closeup || o->size.width || o->light.gain || o->light.room >= 0))
         return crt_fail(err, "--buffer is what the program has stored, before any tube; leave out "
-                             "--film, --glass, --closeup and --size");
+                             "--film, --glass, --closeup, --size, --gain and --room");
     if (o->closeup && o->glass)
         return crt_fail(err,
                         "--closeup and --glass exclude each other: a microscope sees the film");

@@ -5,6 +5,7 @@
 
 #include "emu/command.h"
 #include "emu/resolution.h"
+#include "emu/settings.h"
 
 #define DEFAULT_TUBE "COLOR17"
 #define MM_PER_INCH  25.4
@@ -248,9 +249,9 @@ static bool print_film(const struct subject *s, struct crt_error *err)
 
 static bool set_figure(struct crt_tube_row *row, const char *item, struct crt_error *err)
 {
-    char name[40], number[40];
+    char name[40];
     const char *unit = "", *text = strchr(item, '=');
-    size_t n = text ? (size_t)(text - item) : 0, u;
+    size_t n = text ? (size_t)(text - item) : 0;
     struct crt_error why;
     double value;
     if (!text || n == 0 || n >= sizeof name)
@@ -261,15 +262,7 @@ static bool set_figure(struct crt_tube_row *row, const char *item, struct crt_er
     if (!figure)
         return crt_fail(
             err, "--set: a tube has no '%s'; kinescope list tubes --why names the figures", name);
-    n = strlen(++text);
-    u = strlen(unit);
-    if (n > u && strcmp(text + n - u, unit) == 0 && strcmp(unit, "1") != 0)
-        n -= u;
-    if (n >= sizeof number)
-        return crt_fail(err, "--set: '%.60s' is not a number", text);
-    memcpy(number, text, n);
-    number[n] = '\0';
-    if (!vm_parse_real(number, -1e9, 1e9, &value, &why))
+    if (!vm_figure_value(text + 1, unit, &value, &why))
         return crt_fail(err, "--set: %.300s", why.text);
     *figure = (struct crt_figure){value, value, value, "set on the command line"};
     return crt_tube_check_figure(row, name, err);

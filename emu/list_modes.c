@@ -5,11 +5,6 @@
 
 #include "raster/mode.h"
 
-static double hz(struct crt_rate rate)
-{
-    return (double)rate.num / (double)rate.den;
-}
-
 /* "1024+24+136+160 = 1344": visible, front porch, sync, back porch. */
 static void span_text(char text[48], const struct ras_span *s)
 {
@@ -23,9 +18,9 @@ static void print_row(const struct ras_mode *mode)
     char dots[48], lines[48];
     span_text(dots, &t->h);
     span_text(lines, &t->v);
-    printf("%-13s %8.3f %8.3f %7.3f  %-23s %-18s  %c%c\n", mode->name, hz(t->clock) / 1e6,
-           hz(ras_line_rate(t)) / 1e3, hz(ras_field_rate(t)), dots, lines, t->h_plus ? '+' : '-',
-           t->v_plus ? '+' : '-');
+    printf("%-13s %8.3f %8.3f %7.3f  %-23s %-18s  %c%c\n", mode->name, crt_rate_hz(t->clock) / 1e6,
+           crt_rate_hz(ras_line_rate(t)) / 1e3, crt_rate_hz(ras_field_rate(t)), dots, lines,
+           t->h_plus ? '+' : '-', t->v_plus ? '+' : '-');
 }
 
 static void print_span(const char *what, const struct ras_span *s, double unit, const char *units,
@@ -41,7 +36,8 @@ static void print_span(const char *what, const struct ras_span *s, double unit, 
 static void explain(const char *name, const char *description, const char *source,
                     const struct ras_timing *t)
 {
-    double clock = hz(t->clock), line = hz(ras_line_rate(t)), field = hz(ras_field_rate(t));
+    double clock = crt_rate_hz(t->clock), line = crt_rate_hz(ras_line_rate(t)),
+           field = crt_rate_hz(ras_field_rate(t));
     printf("%s — %s\n", name, description);
     printf("  %-10s %.3f MHz: a dot lasts %.4f ns\n", "dot clock", clock / 1e6, 1e9 / clock);
     printf("  %-10s %.4f kHz: a line lasts %.4f us\n", "line rate", line / 1e3, 1e6 / line);

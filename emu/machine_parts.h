@@ -25,6 +25,7 @@ struct vm_counts vm_counts(const struct vm_machine *m);
 void vm_start(struct vm_machine *m, uint16_t address, uint64_t t);
 /* The line of the board's interrupt controller that each interrupt drives. */
 extern const unsigned vm_lines[DF_INT_COUNT];
+extern const unsigned vm_raster_lines[RAS_INT_COUNT];
 /* When the next line of the display processor changes, and the change. */
 uint64_t vm_wires_next(const struct vm_machine *m);
 void vm_wires_change(struct vm_machine *m, uint64_t t);

@@ -11,13 +11,14 @@ static void scan_line(void *ctx, const struct crt_scan_line *line)
     crt_tube_scan_line(m->desc.raster_tube, line);
 }
 
+const unsigned vm_raster_lines[RAS_INT_COUNT] = {
+    [RAS_INT_RETRACE] = IRQ_LINE_RETRACE, [RAS_INT_COMPARE] = IRQ_LINE_COMPARE};
+
 static void interrupt(void *ctx, enum ras_interrupt which, bool level, uint64_t t)
 {
-    static const unsigned lines[RAS_INT_COUNT] = {
-        [RAS_INT_RETRACE] = IRQ_LINE_RETRACE, [RAS_INT_COMPARE] = IRQ_LINE_COMPARE};
     struct vm_machine *m = ctx;
     if (m->desc.board)
-        vm_set_line(m, lines[which], level, t);
+        vm_set_line(m, vm_raster_lines[which], level, t);
 }
 
 /* The tube's epochs are the fields of the timing that begins. */
@@ -64,7 +65,6 @@ void vm_raster_init(struct vm_machine *m)
     };
     vm_raster_wire(m, &desc.wires);
     ras_head_init(&m->raster, &desc);
-    ras_head_reset(&m->raster, 0);
 }
 
 void vm_raster_hook(struct vm_machine *m, bool hooked)

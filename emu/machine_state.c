@@ -160,9 +160,8 @@ static bool sane_raster(const struct vm_machine *m)
         return true;
     if (vm_raster_next(m) < m->now)
         return false;
-    static const unsigned line[RAS_INT_COUNT] = {IRQ_LINE_RETRACE, IRQ_LINE_COMPARE};
     for (int i = 0; i < RAS_INT_COUNT; i++)
-        if ((m->desc.board->irq.pending >> line[i] & 1) !=
+        if ((m->desc.board->irq.pending >> vm_raster_lines[i] & 1) !=
             ras_head_interrupt(&m->raster, (enum ras_interrupt)i))
             return false;
     if (!m->desc.raster_tube)

@@ -26,12 +26,6 @@ const struct vm_option vm_light_rows[VM_LIGHT_ROWS] = {
      "room light on the unlit glass, 0 = dark room; default 0.005 of a full-drive line", 0, 1e4},
 };
 
-/* The luminance that `auto` gain shows at 0.8 of white. */
-static double full_luminance(const struct crt_tube_row *row)
-{
-    return row->kind == CRT_RASTER_TUBE ? row->field_luminance.value : row->line_luminance.value;
-}
-
 int vm_light_settings(const struct vm_light_options *o, const struct vm_settings *s,
                       struct vm_lights *lights, struct crt_error *err)
 {
@@ -44,7 +38,7 @@ int vm_light_settings(const struct vm_light_options *o, const struct vm_settings
     }
     for (int h = 0; h < VM_HEADS; h++) {
         const struct crt_tube_row *row = &s->monitor[h].row;
-        double room = DEFAULT_ROOM * full_luminance(row), automatic = crt_auto_gain(row);
+        double room = DEFAULT_ROOM * crt_full_luminance(row), automatic = crt_auto_gain(row);
         lights->head[h] =
             (struct crt_glass_settings){.gain = !given || relative ? value * automatic : value,
                                         .room_cd_m2 = o->room < 0 ? room : o->room,

@@ -266,7 +266,7 @@ int vm_settings_resolve(const struct vm_settings_options *o,
     s->tick = o->refresh.num ? o->refresh
               : recording    ? recording->tick
                              : vm_rate_of_hz(s->monitor[VM_VECTOR].row.sync.value);
-    double hz = (double)s->tick.num / (double)s->tick.den;
+    double hz = crt_rate_hz(s->tick);
     return usage((hz >= 0.1 && hz <= 1e5) ||
                  crt_fail(err, "a sync tick of %g Hz is out of range; give 0.1 to 100000", hz));
 }

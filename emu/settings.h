@@ -64,6 +64,9 @@ int vm_settings_resolve(const struct vm_settings_options *options,
                         struct vm_settings *settings, struct crt_error *err);
 void vm_settings_free(struct vm_settings *settings);
 
+/* The number in front of a figure's unit, or a time where the unit is one. */
+bool vm_figure_value(const char *text, const char *unit, double *value, struct crt_error *err);
+
 /* The descs that follow from them; the machine's has no tubes, board, console or buffer yet. */
 struct vm_machine_desc vm_settings_machine(const struct vm_settings *settings,
                                            enum df_timing_choice choice);

@@ -25,8 +25,7 @@ static bool set_average(struct vm_settings *s, const char *text, struct crt_erro
     return true;
 }
 
-/* The number in front of the figure's unit, or a time where the unit is one. */
-static bool figure_value(const char *text, const char *unit, double *value, struct crt_error *err)
+bool vm_figure_value(const char *text, const char *unit, double *value, struct crt_error *err)
 {
     char number[40];
     size_t n = strlen(text), u = strlen(unit);
@@ -65,7 +64,7 @@ static bool set_figure(struct vm_monitor *m, const char *name, const char *text,
     const char *unit = "";
     double value = 0;
     struct crt_figure *figure = crt_tube_figure(&m->row, name, &unit);
-    if (!figure_value(text, unit, &value, err))
+    if (!vm_figure_value(text, unit, &value, err))
         return false;
     *figure = (struct crt_figure){value, value, value, "set on the command line"};
     return crt_tube_check_figure(&m->row, name, err);

@@ -41,11 +41,6 @@ struct crt_rate ras_field_rate(const struct ras_timing *t)
     return reduced(t->clock.num, t->clock.den * ras_field_dots(t));
 }
 
-double ras_hz(struct crt_rate rate)
-{
-    return (double)rate.num / (double)rate.den;
-}
-
 /* ---- what makes sense ------------------------------------------------------------------------- */
 
 static bool check_span(const struct ras_span *s, const char *what, uint32_t least, uint32_t most,
@@ -86,14 +81,14 @@ bool ras_timing_check(const struct ras_timing *t, struct crt_error *err)
     if (clock.den == 0 || clock.num > MAX_CLOCKS || clock.den > MAX_CLOCKS / MAX_CLOCK ||
         clock.num < MIN_CLOCK * clock.den || clock.num > MAX_CLOCK * clock.den)
         return crt_fail(err, "a dot clock of %.6g MHz is not possible; it may be 0.1 to 1000 MHz",
-                        clock.den ? ras_hz(clock) / 1e6 : 0.0);
+                        clock.den ? crt_rate_hz(clock) / 1e6 : 0.0);
     if (!check_span(&t->h, "dots", RAS_MIN_DOTS, RAS_MAX_DOTS, err) ||
         !check_span(&t->v, "lines", 1, RAS_MAX_LINES, err) || !check_interlace(t, err))
         return false;
     struct crt_rate fields = ras_field_rate(t);
     if (fields.num > RAS_MAX_FIELDS * fields.den)
-        return crt_fail(err, "%.6g fields a second are too many; there may be %d", ras_hz(fields),
-                        RAS_MAX_FIELDS);
+        return crt_fail(err, "%.6g fields a second are too many; there may be %d",
+                        crt_rate_hz(fields), RAS_MAX_FIELDS);
     return true;
 }
 
@@ -121,7 +116,7 @@ void ras_timing_name(const struct ras_timing *timing, char *text, size_t size)
             return;
         }
     snprintf(text, size, "%ux%u@%.0f%s", timing->h.visible, timing->v.visible,
-             floor(ras_hz(ras_field_rate(timing)) + 0.5), timing->interlaced ? "i" : "");
+             floor(crt_rate_hz(ras_field_rate(timing)) + 0.5), timing->interlaced ? "i" : "");
 }
 
 /* ---- monitors --------------------------------------------------------------------------------- */
@@ -138,8 +133,8 @@ struct ras_monitor ras_monitor_of(const struct crt_tube_row *row)
 bool ras_monitor_follows(const struct ras_monitor *m, const struct ras_timing *timing,
                          const char *tube, struct crt_error *err)
 {
-    double khz = ras_hz(ras_line_rate(timing)) / 1e3, v_hz = ras_hz(ras_field_rate(timing)),
-           mhz = ras_hz(timing->clock) / 1e6;
+    double khz = crt_rate_hz(ras_line_rate(timing)) / 1e3,
+           v_hz = crt_rate_hz(ras_field_rate(timing)), mhz = crt_rate_hz(timing->clock) / 1e6;
     char name[48];
     ras_timing_name(timing, name, sizeof name);
     if (khz < m->h_min_khz || khz > m->h_max_khz || v_hz < m->v_min_hz || v_hz > m->v_max_hz)

@@ -51,7 +51,7 @@ static bool is_meant(const struct ras_timing *t, const struct typed *m)
 {
     return t->h.visible == m->width && t->v.visible == m->height &&
            t->interlaced == m->interlaced &&
-           floor(ras_hz(ras_field_rate(t)) * m->scale + 0.5) == (double)m->rate;
+           floor(crt_rate_hz(ras_field_rate(t)) * m->scale + 0.5) == (double)m->rate;
 }
 
 bool ras_mode_parse(const char *text, struct ras_timing *timing, struct crt_error *err)

@@ -1,4 +1,4 @@
-/* mode_parts.h — what the files about modes share: limits, and a rate as a number. */
+/* mode_parts.h — what the files about modes share: limits. */
 #ifndef RASTER_MODE_PARTS_H
 #define RASTER_MODE_PARTS_H
 
@@ -7,7 +7,5 @@
 #define RAS_MIN_DOTS   8
 #define RAS_MAX_LINES  4096
 #define RAS_MAX_FIELDS 1000 /* a second */
-
-double ras_hz(struct crt_rate rate);
 
 #endif

@@ -175,11 +175,6 @@ static bool differs(const struct vm_config *a, const struct vm_config *b, enum v
     return memcmp(a->hash[kind], b->hash[kind], VM_CONFIG_HASH) != 0;
 }
 
-static double hertz(struct crt_rate rate)
-{
-    return (double)rate.num / (double)rate.den;
-}
-
 static bool refuse(const char *what, const char *theirs, const char *ours, const char *remedy,
                    struct crt_error *err)
 {
@@ -207,7 +202,7 @@ bool vm_config_agree(const struct vm_config *theirs, const struct vm_config *our
         return crt_fail(err,
                         "made with another sync tick (%g Hz, this run has %g Hz); give the same "
                         "--refresh",
-                        hertz(theirs->tick), hertz(ours->tick));
+                        crt_rate_hz(theirs->tick), crt_rate_hz(ours->tick));
     if (differs(theirs, ours, VM_CONFIG_MACHINE))
         return crt_fail(err, "made with another machine; give the same --set memory, "
                              "--set dpu.average, --personality and --on-stop");

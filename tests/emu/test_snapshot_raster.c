@@ -39,19 +39,6 @@ static void run_until_lit(struct snap_run *r)
     vm_machine_run(m, m->now + 2 * TICK + 7 * MS);
 }
 
-static void refused(struct snap_run *r, const struct crt_state *s, const char *sentence)
-{
-    struct crt_error err = {""};
-    struct crt_state before = snap_save(r);
-    assert_false(snap_load(r, s->out, s->size, &err));
-    assert_string_equal(err.text, sentence);
-    struct crt_state after = snap_save(r);
-    assert_int_equal(before.size, after.size);
-    assert_memory_equal(before.out, after.out, after.size);
-    crt_state_free(&before);
-    crt_state_free(&after);
-}
-
 static void light_goes_on_alike(void **state)
 {
     (void)state;
@@ -129,8 +116,8 @@ static void a_tube_ahead_of_its_head_is_refused(void **state)
     assert_int_equal(
         replace(s.out + tube, 200, last, a->rig.machine->raster.lit_until + CRT_PS_PER_S), 1);
     mend(&s);
-    refused(b, &s,
-            "FILE cannot be loaded: the snapshot's raster head is impossible; make it again");
+    snap_refused(b, &s,
+                 "FILE cannot be loaded: the snapshot's raster head is impossible; make it again");
     crt_state_free(&s);
     snap_close(a);
     snap_close(b);
@@ -148,7 +135,7 @@ static void epochs_that_begin_later_are_refused(void **state)
     size_t tube = find_part(&s, "TUBE");
     assert_int_equal(replace(s.out + tube, 200, origin, m->now + CRT_PS_PER_S), 1);
     mend(&s);
-    refused(b, &s, "FILE cannot be loaded: the snapshot's time is impossible; make it again");
+    snap_refused(b, &s, "FILE cannot be loaded: the snapshot's time is impossible; make it again");
     crt_state_free(&s);
     snap_close(a);
     snap_close(b);
@@ -176,7 +163,7 @@ static void forged_check_sums_do_no_harm(void **state)
             vm_machine_run(b->rig.machine, b->rig.machine->now + 20 * MS);
             taken++;
         } else {
-            refused(b, &s, err.text);
+            snap_refused(b, &s, err.text);
             no++;
         }
         memcpy(s.out, before.out, s.size);

@@ -18,19 +18,6 @@
 
 #define COUNT(a) (sizeof(a) / sizeof *(a))
 
-static void refused(struct snap_run *r, const struct crt_state *s, const char *sentence)
-{
-    struct crt_error err = {""};
-    struct crt_state before = snap_save(r);
-    assert_false(snap_load(r, s->out, s->size, &err));
-    assert_string_equal(err.text, sentence);
-    struct crt_state after = snap_save(r);
-    assert_int_equal(before.size, after.size);
-    assert_memory_equal(before.out, after.out, after.size);
-    crt_state_free(&before);
-    crt_state_free(&after);
-}
-
 static void another_configuration_is_refused(void **state)
 {
     (void)state;
@@ -70,7 +57,7 @@ static void another_configuration_is_refused(void **state)
     for (size_t i = 0; i < COUNT(options); i++) {
         struct snap_run *b = snap_open("roms/lander.df", true, &options[i]);
         if (sentences[i])
-            refused(b, &s, sentences[i]);
+            snap_refused(b, &s, sentences[i]);
         else
             snap_must_load(b, &s);
         snap_close(b);
@@ -78,13 +65,14 @@ static void another_configuration_is_refused(void **state)
     struct snap_run *b =
         snap_open("roms/radar.df", true,
                   &(struct vm_settings_options){.tube = {.item = {"VR17/P39"}, .count = 1}});
-    refused(b, &s,
-            "FILE was made with another program (lander.df, this run has radar.df); run that "
-            "program");
+    snap_refused(b, &s,
+                 "FILE was made with another program (lander.df, this run has radar.df); run that "
+                 "program");
     snap_close(b);
     b = snap_open("random2", false, &snap_plain);
     strcpy(b->input.name, "lander.df");
-    refused(b, &s, "FILE was made with another version of the program lander.df; run that program");
+    snap_refused(b, &s,
+                 "FILE was made with another version of the program lander.df; run that program");
     snap_close(b);
     crt_state_free(&s);
     snap_close(a);
@@ -97,9 +85,10 @@ static void light_is_needed_where_somebody_looks(void **state)
     struct snap_run *light = snap_open("random4", true, &snap_plain);
     vm_machine_run(dark->rig.machine, 3 * TICK + MS);
     struct crt_state s = snap_save(dark);
-    refused(light, &s,
-            "FILE cannot be loaded: it holds no light of the vector tube, as it was made headless or "
-            "with --view raster; make it again");
+    snap_refused(
+        light, &s,
+        "FILE cannot be loaded: it holds no light of the vector tube, as it was made headless or "
+        "with --view raster; make it again");
     crt_state_free(&s);
     vm_machine_run(light->rig.machine, 4 * TICK + MS);
     s = snap_save(light);
@@ -125,9 +114,9 @@ static void another_close_up_is_refused(void **state)
     tubes.desc[VM_VECTOR].grid = crt_grid_closeup(0, 0, 20, 64, 64);
     vm_rig_close(&a->rig);
     assert_true(vm_rig_open(&a->rig, &a->settings, &a->input, DF_TIMING_VALUE, &tubes, &err));
-    refused(a, &s,
-            "FILE cannot be loaded: the snapshot's light lies on other film cells than this "
-            "tube's: one of the two is a close-up, or another one; make it again");
+    snap_refused(a, &s,
+                 "FILE cannot be loaded: the snapshot's light lies on other film cells than this "
+                 "tube's: one of the two is a close-up, or another one; make it again");
     crt_state_free(&s);
     snap_close(a);
 }
@@ -137,19 +126,20 @@ static void other_files_are_refused(void **state)
     (void)state;
     struct snap_run *a = snap_open("random4", false, &snap_plain);
     struct crt_state s = snap_save(a), cut = s;
-    refused(a, &(struct crt_state){.out = (uint8_t *)"P6 3 3 255 ............", .size = 20},
-            "FILE is no snapshot of kinescope's; make one with --save-state");
+    snap_refused(a, &(struct crt_state){.out = (uint8_t *)"P6 3 3 255 ............", .size = 20},
+                 "FILE is no snapshot of kinescope's; make one with --save-state");
     s.out[8] = 3;
-    refused(a, &s,
-            "FILE is a snapshot of version 3, and this kinescope reads version 2; make it again");
+    snap_refused(
+        a, &s,
+        "FILE is a snapshot of version 3, and this kinescope reads version 2; make it again");
     s.out[8] = 2;
     cut.size = 999;
     char sentence[128];
     snprintf(sentence, sizeof sentence,
              "FILE is cut short: 999 of its bytes are there, not %zu; make it again", s.size);
-    refused(a, &cut, sentence);
+    snap_refused(a, &cut, sentence);
     s.out[s.size / 2] ^= 4;
-    refused(a, &s, "FILE is damaged: its check sum is wrong; make it again");
+    snap_refused(a, &s, "FILE is damaged: its check sum is wrong; make it again");
     s.out[s.size / 2] ^= 4;
     snap_must_load(a, &s);
     crt_state_free(&s);
@@ -216,7 +206,7 @@ static void forged_check_sums_do_no_harm(void **state)
                 vm_machine_run(b->rig.machine, b->rig.machine->now + 3 * MS);
                 taken++;
             } else {
-                refused(b, &s, err.text);
+                snap_refused(b, &s, err.text);
                 no++;
             }
             memcpy(s.out, before.out, s.size);

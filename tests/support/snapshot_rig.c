@@ -175,6 +175,19 @@ void snap_must_load(struct snap_run *r, const struct crt_state *s)
         fail_msg("%s", err.text);
 }
 
+void snap_refused(struct snap_run *r, const struct crt_state *s, const char *sentence)
+{
+    struct crt_error err = {""};
+    struct crt_state before = snap_save(r);
+    assert_false(snap_load(r, s->out, s->size, &err));
+    assert_string_equal(err.text, sentence);
+    struct crt_state after = snap_save(r);
+    assert_int_equal(before.size, after.size);
+    assert_memory_equal(before.out, after.out, after.size);
+    crt_state_free(&before);
+    crt_state_free(&after);
+}
+
 void snap_same(struct snap_run *a, struct snap_run *b)
 {
     struct crt_state one = snap_save(a), two = snap_save(b);

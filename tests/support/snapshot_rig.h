@@ -36,6 +36,8 @@ void snap_close(struct snap_run *r);
 struct crt_state snap_save(struct snap_run *r);
 bool snap_load(struct snap_run *r, const uint8_t *bytes, size_t size, struct crt_error *err);
 void snap_must_load(struct snap_run *r, const struct crt_state *s);
+/* Loading fails with the sentence, and nothing has changed. */
+void snap_refused(struct snap_run *r, const struct crt_state *s, const char *sentence);
 void snap_same(struct snap_run *a, struct snap_run *b);
 
 /* Two runs in the same state do the same from t0 to t1. */
