@@ -5,7 +5,8 @@
 #                                  … and for comparison -> tests/bench/user/NAME.elf, the same object
 #                                  code as a program of a Linux user
 #   tests/roms/NAME.c              a program for tests -> tests/roms/NAME.elf (test_*.c are tests)
-#   roms/bsp/, roms/raster/        board support and drawing, an archive: programs take what they use
+#   ROM_LIBRARY                    board support and the drawing library, an archive: programs take what
+#                                  they use
 #
 # The same sources and tool versions (roms/TOOLCHAIN) give the same bytes wherever the tree lies:
 # paths are mapped away, and what a build would tell of itself is stripped. Symbols stay.
@@ -25,9 +26,13 @@ ROM_LDFLAGS := -nostartfiles -T $(ROM_O)/link.ld -Wl,--gc-sections -Wl,--build-i
 # Which printf: whole numbers only, unless the program's own variable says otherwise.
 ROM_PRINTF := -DPICOLIBC_INTEGER_PRINTF_SCANF
 ROM_PRINTF_tables := -DPICOLIBC_DOUBLE_PRINTF_SCANF
+ROM_PRINTF_monitor := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 
-ROM_BSP      := $(sort $(wildcard roms/bsp/*.c roms/raster/*.c))
-ROM_FOLDERS  := $(filter-out bsp raster bench pictures,$(patsubst roms/%/,%,$(sort $(dir $(wildcard roms/*/*.c)))))
+ROM_LIBRARY  := bsp raster geometry clip curves solids visible light stage
+# A program whose sources lie in more folders than its own.
+ROM_PARTS_monitor := commands lessons
+ROM_BSP      := $(sort $(foreach d,$(ROM_LIBRARY),$(wildcard roms/$(d)/*.c)))
+ROM_FOLDERS  := $(filter-out $(ROM_LIBRARY) $(ROM_PARTS_monitor) bench pictures,$(patsubst roms/%/,%,$(sort $(dir $(wildcard roms/*/*.c)))))
 ROM_PROGRAMS := $(sort $(ROM_FOLDERS) $(patsubst roms/%.c,%,$(wildcard roms/*.c)))
 ROM_BENCHES  := $(patsubst roms/%.c,%,$(sort $(filter-out roms/bench/main.c,$(wildcard roms/bench/*.c))))
 ROM_USERS    := $(ROM_BENCHES:bench/%=tests/bench/user/%.elf)
@@ -35,7 +40,7 @@ ROM_TESTS    := $(sort $(filter-out tests/roms/test_%,$(wildcard tests/roms/*.c)
 ROM_IMAGES   := $(patsubst %,roms/%.elf,$(ROM_PROGRAMS) $(ROM_BENCHES))
 ROM_HEADERS  := $(wildcard roms/*/*.h)
 
-rom_sources = $(sort $(wildcard roms/$(1).c roms/$(1)/*.c))
+rom_sources = $(sort $(wildcard roms/$(1).c $(foreach d,$(1) $(ROM_PARTS_$(1)),roms/$(d)/*.c)))
 rom_objects = $(patsubst roms/%.c,$(ROM_O)/%.o,$(rom_sources))
 
 .PHONY: roms rom-images rom-headers
@@ -60,7 +65,7 @@ $(ROM_O)/link.ld: roms/bsp/link.ld emu/memmap.h roms/roms.mk
 	$(ROM_CROSS)gcc -E -P -x c -I. -o $@ $<
 
 # Pixels are worth the room that fast code takes.
-$(ROM_O)/raster/%.o $(ROM_O)/pageflip/%.o: ROM_CFLAGS += -O2
+$(foreach d,raster pageflip visible light,$(ROM_O)/$(d)/%.o): ROM_CFLAGS += -O2
 
 # Archive members without time or owner (D).
 $(ROM_O)/libbsp.a: $(ROM_BSP:roms/%.c=$(ROM_O)/%.o)
@@ -81,7 +86,7 @@ $(foreach p,$(ROM_PROGRAMS),$(eval \
   $(call rom_rule,roms/$(p).elf,$(call rom_objects,$(p)),$(ROM_PRINTF_$(p)))))
 $(foreach p,$(ROM_BENCHES),$(eval \
   $(call rom_rule,roms/$(p).elf,$(ROM_O)/$(p).o $(ROM_O)/bench/main.o)))
-$(foreach p,$(ROM_TESTS:.c=),$(eval $(call rom_rule,$(p).elf,$(ROM_O)/$(p).o)))
+$(foreach p,$(ROM_TESTS:.c=),$(eval $(call rom_rule,$(p).elf,$(ROM_O)/$(p).o,$(ROM_PRINTF_$(notdir $(p))))))
 
 $(ROM_O)/tests/roms/%.o: tests/roms/%.c roms/roms.mk
 	@mkdir -p $(@D)

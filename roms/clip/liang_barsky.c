@@ -1,0 +1,41 @@
+#include "roms/clip/liang_barsky.h"
+
+/* Narrows t1…t2 by one edge; false: nothing is left. */
+static bool narrow(float p, float q, float *t1, float *t2)
+{
+    if (p == 0)
+        return q >= 0;
+    float t = q / p;
+    if (p < 0)
+        *t1 = t > *t1 ? t : *t1;
+    else
+        *t2 = t < *t2 ? t : *t2;
+    return *t1 <= *t2;
+}
+
+bool clip_liang_barsky_shown(const struct clip_window *w, struct point2 *a, struct point2 *b,
+                             struct liang_barsky *k)
+{
+    float dx = b->x - a->x, dy = b->y - a->y;
+    bool left = true;
+    *k = (struct liang_barsky){
+        .p = {-dx, dx, -dy, dy},
+        .q = {a->x - w->x_min, w->x_max - a->x, a->y - w->y_min, w->y_max - a->y},
+        .t1 = 0,
+        .t2 = 1};
+    for (int i = 0; i < 4 && left; i++)
+        left = narrow(k->p[i], k->q[i], &k->t1, &k->t2);
+    if (!left)
+        return false;
+    if (k->t2 < 1)
+        *b = (struct point2){a->x + k->t2 * dx, a->y + k->t2 * dy};
+    if (k->t1 > 0)
+        *a = (struct point2){a->x + k->t1 * dx, a->y + k->t1 * dy};
+    return true;
+}
+
+bool clip_liang_barsky(const struct clip_window *w, struct point2 *a, struct point2 *b)
+{
+    struct liang_barsky working;
+    return clip_liang_barsky_shown(w, a, b, &working);
+}

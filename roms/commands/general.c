@@ -1,0 +1,82 @@
+/* general.c — commands about the monitor itself. */
+#include <stdio.h>
+#include <string.h>
+
+#include "roms/bsp/board.h"
+#include "roms/lessons/lesson.h"
+#include "roms/monitor/command.h"
+#include "roms/monitor/lesson_run.h"
+
+static void list(const struct command *c, void *ctx)
+{
+    (void)ctx;
+    printf("  %-10s %s\n", c->name, c->what);
+}
+
+static bool help(struct monitor *m, struct words *w)
+{
+    (void)m;
+    if (words_left(w) == 0) {
+        printf("Commands (help NAME tells more):\n");
+        command_each(list, NULL);
+        return true;
+    }
+    const struct command *c = command_find(words_peek(w));
+    if (c == NULL)
+        return words_refuse(w, "there is no command \"%.40s\"", words_peek(w));
+    printf("%s %s\n  %s\n", c->name, c->form, c->what);
+    return true;
+}
+
+static bool on_or_off(struct words *w, bool *flag)
+{
+    static const char *const names[] = {"off", "on", NULL};
+    int which;
+    if (!words_choice(w, names, &which) || !words_end(w))
+        return false;
+    *flag = which == 1;
+    return true;
+}
+
+static bool table(struct monitor *m, struct words *w)
+{
+    return on_or_off(w, &m->table);
+}
+
+static bool steps(struct monitor *m, struct words *w)
+{
+    return on_or_off(w, &m->steps);
+}
+
+static bool lesson(struct monitor *m, struct words *w)
+{
+    for (int i = 0; lessons[i] != NULL; i++) {
+        if (words_take(w, lessons[i]->name)) {
+            if (!words_end(w))
+                return false;
+            lesson_run(m, lessons[i]);
+            return true;
+        }
+    }
+    return words_refuse(w, "there is no lesson \"%.40s\"", words_peek(w));
+}
+
+static bool quit(struct monitor *m, struct words *w)
+{
+    (void)m;
+    int status = 0;
+    if (words_left(w) > 0 && !words_whole(w, 0, 255, &status))
+        return false;
+    if (!words_end(w))
+        return false;
+    board_exit(status);
+}
+
+const struct command commands_general[] = {
+    {"help", "[NAME]", "lists the commands, or tells a command's form", help},
+    {"lesson", "NAME", "runs a lesson; q leaves it", lesson},
+    {"table", "on|off", "prints the working of what is drawn", table},
+    {"step", "on|off", "scan conversions go one decision a key", steps},
+    {"quit", "[STATUS]", "ends the monitor", quit},
+    {NULL, NULL, NULL, NULL},
+};

@@ -1,0 +1,8 @@
+/* light.c — to be written. */
+#include "roms/monitor/command.h"
+
+#include <stddef.h>
+
+const struct command commands_light[] = {
+    {NULL, NULL, NULL, NULL},
+};

@@ -1,0 +1,8 @@
+/* plane.c — to be written. */
+#include "roms/monitor/command.h"
+
+#include <stddef.h>
+
+const struct command commands_plane[] = {
+    {NULL, NULL, NULL, NULL},
+};

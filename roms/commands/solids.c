@@ -1,0 +1,8 @@
+/* solids.c — to be written. */
+#include "roms/monitor/command.h"
+
+#include <stddef.h>
+
+const struct command commands_solids[] = {
+    {NULL, NULL, NULL, NULL},
+};

@@ -1,0 +1,8 @@
+/* space.c — to be written. */
+#include "roms/monitor/command.h"
+
+#include <stddef.h>
+
+const struct command commands_space[] = {
+    {NULL, NULL, NULL, NULL},
+};

@@ -1,0 +1,8 @@
+/* surfaces.c — to be written. */
+#include "roms/monitor/command.h"
+
+#include <stddef.h>
+
+const struct command commands_surfaces[] = {
+    {NULL, NULL, NULL, NULL},
+};

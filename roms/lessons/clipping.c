@@ -1,0 +1,24 @@
+/* clipping.c — to be written. */
+#include "roms/lessons/lesson.h"
+
+static void begin(void *state)
+{
+    (void)state;
+}
+
+static void key(void *state, int k)
+{
+    (void)state;
+    (void)k;
+}
+
+static float draw(void *state, struct stage *stage, float seconds)
+{
+    (void)state;
+    (void)seconds;
+    stage_title(stage, "Windows and clipping");
+    return -1;
+}
+
+extern const struct lesson lesson_clipping;
+const struct lesson lesson_clipping = {"clipping", "Windows and clipping", "", 0, begin, key, draw};

@@ -1,0 +1,25 @@
+/* drift.c — to be written. */
+#include "roms/lessons/lesson.h"
+
+static void begin(void *state)
+{
+    (void)state;
+}
+
+static void key(void *state, int k)
+{
+    (void)state;
+    (void)k;
+}
+
+static float draw(void *state, struct stage *stage, float seconds)
+{
+    (void)state;
+    (void)seconds;
+    stage_title(stage, "Float drift and aliasing of the DDA");
+    return -1;
+}
+
+extern const struct lesson lesson_drift;
+const struct lesson lesson_drift = {
+    "drift", "Float drift and aliasing of the DDA", "", 0, begin, key, draw};

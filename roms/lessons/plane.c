@@ -1,0 +1,25 @@
+/* plane.c — to be written. */
+#include "roms/lessons/lesson.h"
+
+static void begin(void *state)
+{
+    (void)state;
+}
+
+static void key(void *state, int k)
+{
+    (void)state;
+    (void)k;
+}
+
+static float draw(void *state, struct stage *stage, float seconds)
+{
+    (void)state;
+    (void)seconds;
+    stage_title(stage, "Transformations of the plane");
+    return -1;
+}
+
+extern const struct lesson lesson_plane;
+const struct lesson lesson_plane = {"plane", "Transformations of the plane", "", 0, begin, key,
+                                    draw};

@@ -1,0 +1,24 @@
+/* shading.c — to be written. */
+#include "roms/lessons/lesson.h"
+
+static void begin(void *state)
+{
+    (void)state;
+}
+
+static void key(void *state, int k)
+{
+    (void)state;
+    (void)k;
+}
+
+static float draw(void *state, struct stage *stage, float seconds)
+{
+    (void)state;
+    (void)seconds;
+    stage_title(stage, "Light and shading");
+    return -1;
+}
+
+extern const struct lesson lesson_shading;
+const struct lesson lesson_shading = {"shading", "Light and shading", "", 0, begin, key, draw};

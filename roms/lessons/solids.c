@@ -1,0 +1,24 @@
+/* solids.c — to be written. */
+#include "roms/lessons/lesson.h"
+
+static void begin(void *state)
+{
+    (void)state;
+}
+
+static void key(void *state, int k)
+{
+    (void)state;
+    (void)k;
+}
+
+static float draw(void *state, struct stage *stage, float seconds)
+{
+    (void)state;
+    (void)seconds;
+    stage_title(stage, "Solids and their tables");
+    return -1;
+}
+
+extern const struct lesson lesson_solids;
+const struct lesson lesson_solids = {"solids", "Solids and their tables", "", 0, begin, key, draw};

@@ -1,0 +1,24 @@
+/* surfaces.c — to be written. */
+#include "roms/lessons/lesson.h"
+
+static void begin(void *state)
+{
+    (void)state;
+}
+
+static void key(void *state, int k)
+{
+    (void)state;
+    (void)k;
+}
+
+static float draw(void *state, struct stage *stage, float seconds)
+{
+    (void)state;
+    (void)seconds;
+    stage_title(stage, "Visible surfaces");
+    return -1;
+}
+
+extern const struct lesson lesson_surfaces;
+const struct lesson lesson_surfaces = {"surfaces", "Visible surfaces", "", 0, begin, key, draw};

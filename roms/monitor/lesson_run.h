@@ -1,0 +1,14 @@
+/* lesson_run.h — runs a lesson until somebody leaves it.
+ *
+ * Models:     keys and time for one lesson (roms/lessons/lesson.h).
+ * Errors:     none; the end of input leaves, too.
+ */
+#ifndef ROMS_MONITOR_LESSON_RUN_H
+#define ROMS_MONITOR_LESSON_RUN_H
+
+#include "roms/lessons/lesson.h"
+#include "roms/monitor/monitor.h"
+
+void lesson_run(struct monitor *monitor, const struct lesson *lesson);
+
+#endif

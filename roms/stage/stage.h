@@ -1,0 +1,87 @@
+/* stage.h — one drawing on both heads: title, picture, caption.
+ *
+ *      ┌──────────── title ────────────┐      raster head: 640 x 480 (or what there is), two pages,
+ *      │ (0,800)                       │      shown at retrace
+ *      │                               │      vector head: a display file in two places, shown by
+ *      │     picture, stage units      │      one store
+ *      │                               │
+ *      │ (0,0)                (1200,0) │      what is drawn between stage_begin and stage_end is
+ *      └─────────── caption ───────────┘      shown whole or not at all
+ *
+ * Models:     the output primitives of graphics packages: polyline, marker, fill area, text (ISO 7942,
+ *             GKS), with a driver for each head: into pixels by scan conversion (roms/raster), into
+ *             display-file words (roms/bsp/display.h). Lines are clipped to the picture.
+ * Units:      stage units: 1200 across, 800 up, origin bottom left, y up; square on both heads.
+ * Ownership:  plain value, one for the program; it has the whole refresh buffer, the look-up table and
+ *             display memory.
+ * Errors:     a head that is not there takes everything and keeps nothing. Words that do not fit are
+ *             left out (display.full).
+ * Not modelled: areas on the vector head: their outline is drawn.
+ */
+#ifndef ROMS_STAGE_STAGE_H
+#define ROMS_STAGE_STAGE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "roms/bsp/display.h"
+#include "roms/geometry/vector.h"
+#include "roms/raster/canvas.h"
+#include "roms/stage/ink.h"
+
+enum { STAGE_WIDTH = 1200, STAGE_HEIGHT = 800 };
+enum { STAGE_RASTER = 1, STAGE_VECTOR = 2, STAGE_BOTH = 3 };
+
+struct stage {
+    struct canvas canvas;   /* the page that is being drawn; 0 by 0 without a raster head */
+    struct display display; /* the words that are being written */
+    unsigned heads;         /* those that the primitives go to, STAGE_… */
+    enum ink ink;
+    /* Private. */
+    struct canvas page[2];
+    float left, bottom,
+        dots;         /* of the picture on the canvas: dots, rows from the top; dots a unit */
+    float units;      /* head units a stage unit */
+    uint32_t patch;   /* where the display file jumps to the part that is shown */
+    int shown;        /* page and part */
+    uint32_t flipped; /* retraces when the page was given */
+};
+
+/* Chooses the mode, fills the look-up table, shows an empty picture on each head. */
+void stage_open(struct stage *stage);
+/* An empty picture, which stage_end shows; between them the last one stays. stage_begin waits until
+ * that one is on the screen. */
+void stage_begin(struct stage *stage);
+void stage_end(struct stage *stage);
+
+/* The heads that primitives go to from now on; stage_begin: both. */
+void stage_heads(struct stage *stage, unsigned heads);
+void stage_ink(struct stage *stage, enum ink ink);
+
+void stage_line(struct stage *stage, float x0, float y0, float x1, float y1);
+void stage_polyline(struct stage *stage, const struct point2 *points, int count);
+void stage_polygon(struct stage *stage, const struct point2 *points, int count); /* closed */
+/* Filled where the head can, even-odd; an outline on the vector head. */
+void stage_area(struct stage *stage, const struct point2 *points, int count);
+void stage_rectangle(struct stage *stage, float x, float y, float width, float height);
+/* A small cross. */
+void stage_marker(struct stage *stage, float x, float y);
+void stage_dot(struct stage *stage, float x, float y);
+/* Base line begins at x, y; about x. */
+void stage_text(struct stage *stage, float x, float y, const char *text);
+void stage_text_middle(struct stage *stage, float x, float y, const char *text);
+void stage_number(struct stage *stage, float x, float y, float value, int decimals);
+
+/* Above and below the picture. A caption is broken into at most STAGE_CAPTION_LINES lines at spaces. */
+enum { STAGE_CAPTION_LINES = 2 };
+void stage_title(struct stage *stage, const char *text);
+void stage_caption(struct stage *stage, const char *text);
+
+/* Where a place of the picture is on the canvas. Whole numbers are middles of pixels. */
+float stage_canvas_x(const struct stage *stage, float x);
+float stage_canvas_y(const struct stage *stage, float y);
+/* … and in head units of the vector head. */
+float stage_head_x(const struct stage *stage, float x);
+float stage_head_y(const struct stage *stage, float y);
+
+#endif
