@@ -16,7 +16,7 @@ struct glow {
 };
 
 struct stepped {
-    float d, dd, ddd, s, ds, dds;
+    float d, dd, ddd, s, ds, dds, floor, specular;
 };
 
 struct fast_phong {
@@ -38,8 +38,8 @@ static struct fast_phong_normal normal_of(const struct triangle *t)
     const struct vector3 *a = &t->a->normal, *b = &t->b->normal, *c = &t->c->normal;
     struct plane x = triangle_plane(t, a->x, b->x, c->x), y = triangle_plane(t, a->y, b->y, c->y);
     struct plane z = triangle_plane(t, a->z, b->z, c->z);
-    return fast_phong_normal((struct vector3){x.dx, y.dx, z.dx},
-                             (struct vector3){x.dy, y.dy, z.dy}, mean(*a, *b, *c));
+    return fast_phong_normal((struct vector3){x.dx, y.dx, z.dx}, (struct vector3){x.dy, y.dy, z.dy},
+                             mean(*a, *b, *c));
 }
 
 /* What the light does in the triangle's middle; `toward`, `attenuation` and `w` count. */
@@ -89,58 +89,73 @@ RUN_LOOP void step_begin(const struct fast_phong_series *s, float x, float y, fl
     *second = 2 * s->t[5];
 }
 
-RUN_LOOP float highlight(const struct shade *s, const struct fast_phong *p, const struct glow *g,
-                         float r)
+/* What is the same for all pixels. */
+struct surface {
+    float top, low; /* low: of N·H */
+    bool fourth;
+    const struct power_table *power;
+};
+
+RUN_LOOP float value_of(const struct surface *u, const struct stepped *at, int count)
 {
-    if (p->fourth) {
-        r *= r;
-        r *= r;
+    float value = larger(at[0].d, at[0].floor);
+    for (int i = 1; i < count; i++)
+        value += larger(at[i].d, at[i].floor);
+    for (int i = 0; i < count; i++) {
+        float r = at[i].s;
+        if (r > u->low && at[i].d > at[i].floor) {
+            if (u->fourth)
+                r *= r, r *= r;
+            value = fmaf(at[i].specular, power_read(u->power, smaller(r, 1)), value);
+        }
     }
-    return g->specular * power_read(s->power, smaller(r, 1));
+    return smaller(value, u->top);
 }
 
-RUN_LOOP float value_of(const struct shade *s, const struct fast_phong *p,
-                        const struct stepped *at, int count)
+RUN_LOOP void step_all(struct stepped *at, int count)
 {
-    float value = 0;
+    for (int i = 0; i < count; i++) {
+        at[i].d += at[i].dd;
+        at[i].dd += at[i].ddd;
+        at[i].s += at[i].ds;
+        at[i].ds += at[i].dds;
+    }
+}
+
+RUN_LOOP void run_begin(const struct triangle *t, const struct fast_phong *p, struct stepped *at,
+                        int count)
+{
+    float x = (float)t->x0 - p->x, y = (float)t->y - p->y;
     for (int i = 0; i < count; i++) {
         const struct glow *g = &p->glow[i];
-        if (at[i].s > p->low && at[i].d > g->floor)
-            value += highlight(s, p, g, at[i].s);
-        value += larger(at[i].d, g->floor);
+        step_begin(&g->d, x, y, &at[i].d, &at[i].dd, &at[i].ddd);
+        step_begin(&g->s, x, y, &at[i].s, &at[i].ds, &at[i].dds);
+        at[i].floor = g->floor;
+        at[i].specular = g->specular;
     }
-    return value;
 }
 
-RUN_LOOP void rows(const struct shade *s, struct triangle *t, unsigned bits, int most)
+RUN_LOOP void rows(const struct shade *s, struct triangle *t, unsigned bits, bool one)
 {
     struct fast_phong p;
+    struct run_target to = run_target(s);
     begin(s, t, &p);
-    int count = most == 1 ? 1 : p.count;
+    struct surface u = {s->top, p.low, p.fourth, s->power};
+    int count = one ? 1 : p.count;
     while (triangle_next(t)) {
-        struct run r = run_of(s, t, &p.z, bits);
+        struct run r = run_of(&to, t, &p.z, bits);
         struct stepped at[LIGHTS_MOST];
-        float x = (float)t->x0 - p.x, y = (float)t->y - p.y;
-        for (int i = 0; i < count; i++) {
-            step_begin(&p.glow[i].d, x, y, &at[i].d, &at[i].dd, &at[i].ddd);
-            step_begin(&p.glow[i].s, x, y, &at[i].s, &at[i].ds, &at[i].dds);
-        }
-        for (; r.count > 0; r.count--) {
-            if (r.z > *r.near) {
-                *r.near = r.z;
-                run_put(r.at, 0, bits, s->colours,
-                        (int)smaller(value_of(s, &p, at, count), s->top));
-            }
-            r.z += r.dz;
-            for (int i = 0; i < count; i++) {
-                at[i].d += at[i].dd;
-                at[i].dd += at[i].ddd;
-                at[i].s += at[i].ds;
-                at[i].ds += at[i].dds;
-            }
-            r.at += bits / 8;
-            r.near++;
-        }
+        at[0] = (struct stepped){0};
+        run_begin(t, &p, at, count);
+#define PIXEL(k)                                                                                   \
+    if (r.z > r.near[k]) {                                                                         \
+        r.near[k] = r.z;                                                                           \
+        run_put(r.at, k, bits, to.colours, (int)value_of(&u, at, count));                          \
+    }                                                                                              \
+    r.z += r.dz;                                                                                   \
+    step_all(at, count)
+        RUN_EACH(r, bits, PIXEL);
+#undef PIXEL
     }
 }
 
@@ -156,10 +171,10 @@ void shade_fast_phong(struct shade *s, const struct shade_vertex *a, const struc
         return;
     s->triangles++;
     if (s->bits == 8 && s->lighting->count == 1)
-        rows(s, &t, 8, 1);
+        rows(s, &t, 8, true);
     else if (s->bits == 8)
-        rows(s, &t, 8, LIGHTS_MOST);
+        rows(s, &t, 8, false);
     else
-        rows(s, &t, 32, LIGHTS_MOST);
+        rows(s, &t, 32, false);
     s->covered += (uint32_t)t.covered;
 }

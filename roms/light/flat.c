@@ -7,8 +7,9 @@
 RUN_LOOP void rows(struct shade *s, struct triangle *t, unsigned bits, uint32_t value)
 {
     struct plane z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
+    struct run_target to = run_target(s);
     while (triangle_next(t)) {
-        struct run r = run_of(s, t, &z, bits);
+        struct run r = run_of(&to, t, &z, bits);
 #define PIXEL(k)                                                                                   \
     if (r.z > r.near[k]) {                                                                         \
         r.near[k] = r.z;                                                                           \

@@ -10,7 +10,7 @@ RUN_LOOP bool is_thin(const struct triangle *t)
 {
     float bcx = t->acx - t->abx, bcy = t->acy - t->aby;
     float longest = larger(larger(t->abx * t->abx + t->aby * t->aby, bcx * bcx + bcy * bcy),
-                          t->acx * t->acx + t->acy * t->acy);
+                           t->acx * t->acx + t->acy * t->acy);
     return t->inverse * t->inverse * longest > 4;
 }
 
@@ -28,13 +28,14 @@ RUN_LOOP void rows(struct shade *s, struct triangle *t, unsigned bits)
     if (is_thin(t))
         value = (struct plane){(a + b + c) / 3, 0, 0};
     int step = (int)value.dx;
+    struct run_target to = run_target(s);
     while (triangle_next(t)) {
-        struct run r = run_of(s, t, &z, bits);
+        struct run r = run_of(&to, t, &z, bits);
         int v = (int)triangle_value(t, &value);
 #define PIXEL(k)                                                                                   \
     if (r.z > r.near[k]) {                                                                         \
         r.near[k] = r.z;                                                                           \
-        run_put(r.at, k, bits, s->colours, v >> 16);                                               \
+        run_put(r.at, k, bits, to.colours, v >> 16);                                               \
     }                                                                                              \
     r.z += r.dz;                                                                                   \
     v += step

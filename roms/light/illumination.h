@@ -38,18 +38,18 @@ enum light_kind { LIGHT_FAR, LIGHT_NEAR, LIGHT_LINE, LIGHT_RECTANGLE, LIGHT_KIND
 
 struct light {
     enum light_kind kind;
-    struct vector3 at;             /* FAR: toward it; NEAR: its place; else a corner or end */
-    struct vector3 side, other;    /* from there to the next corners: LINE takes `side` only */
-    int samples;                   /* along each side */
-    float intensity;               /* of all samples together */
+    struct vector3 at;          /* FAR: toward it; NEAR: its place; else a corner or end */
+    struct vector3 side, other; /* from there to the next corners: LINE takes `side` only */
+    int samples;                /* along each side */
+    float intensity;            /* of all samples together */
 };
 
 struct lighting {
     float ambient; /* Ia */
     struct light light[LIGHTS_MOST];
     int count;
-    float a0, a1, a2;  /* attenuation */
-    bool eye_far;      /* the eye is at infinity: `eye` is the direction toward it, of length 1 */
+    float a0, a1, a2; /* attenuation */
+    bool eye_far;     /* the eye is at infinity: `eye` is the direction toward it, of length 1 */
     struct vector3 eye;
 };
 
@@ -80,8 +80,9 @@ struct lighting lighting_dark(float ambient);
 bool lighting_add(struct lighting *lighting, struct light light);
 
 /* The terms at a place with this normal, light after light: for (i = 0; i < lighting->count; i++). */
-struct light_term illumination_term(const struct lighting *lighting, const struct material *material,
-                                    struct vector3 place, struct vector3 normal, int light);
+struct light_term illumination_term(const struct lighting *lighting,
+                                    const struct material *material, struct vector3 place,
+                                    struct vector3 normal, int light);
 /* All of them. */
 struct illumination illuminate(const struct lighting *lighting, const struct material *material,
                                struct vector3 place, struct vector3 normal);

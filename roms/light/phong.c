@@ -7,24 +7,29 @@
 #include "roms/light/fresnel.h"
 #include "roms/light/run.h"
 
-/* What a light needs in a run: N·L and its change; N·V or N·H likewise. */
-struct lit {
-    float d, dd, s, ds;
-};
-
-/* … and in a triangle. */
+/* What a light needs in a triangle. */
 struct lamp {
-    struct plane d, s;
+    struct plane d, s;       /* N·L; N·V or N·H */
     float toward_view;       /* L·V */
     float diffuse, specular; /* pixel values for N·L = 1 and for the power */
 };
 
+/* … and in a run: with values there and what a pixel adds. */
+struct lit {
+    float d, dd, s, ds, toward_view, diffuse, specular;
+};
+
 struct phong {
     struct plane z, x, y, w; /* depth and normal */
-    float ambient, low;
-    bool halfway;
     int count;
     struct lamp lamp[LIGHTS_MOST];
+};
+
+/* What is the same for all pixels. */
+struct surface {
+    float ambient, top, low;
+    const struct power_table *power;
+    float index;
 };
 
 static struct plane dot_plane(const struct triangle *t, struct vector3 v)
@@ -37,96 +42,112 @@ static void far_begin(const struct shade *s, const struct triangle *t, struct ph
 {
     const struct lighting *l = s->lighting;
     const struct material *m = s->material;
+    const struct vector3 *a = &t->a->normal, *b = &t->b->normal, *c = &t->c->normal;
     p->z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
-    p->x = triangle_plane(t, t->a->normal.x, t->b->normal.x, t->c->normal.x);
-    p->y = triangle_plane(t, t->a->normal.y, t->b->normal.y, t->c->normal.y);
-    p->w = triangle_plane(t, t->a->normal.z, t->b->normal.z, t->c->normal.z);
-    p->ambient = s->first + m->ka * l->ambient * s->scale;
-    p->low = s->power->low;
-    p->halfway = m->halfway;
+    p->x = triangle_plane(t, a->x, b->x, c->x);
+    p->y = triangle_plane(t, a->y, b->y, c->y);
+    p->w = triangle_plane(t, a->z, b->z, c->z);
     p->count = l->count;
     for (int i = 0; i < l->count; i++) {
-        struct vector3 to = l->light[i].at;
-        struct vector3 half = vector3_direction(vector3_sum(to, l->eye));
+        struct vector3 to = l->light[i].at, other = l->eye;
+        if (m->halfway)
+            other = vector3_direction(vector3_sum(to, l->eye));
         float intensity = l->light[i].intensity * s->scale;
-        p->lamp[i] = (struct lamp){dot_plane(t, to), dot_plane(t, m->halfway ? half : l->eye),
-                                   vector3_dot(to, l->eye), intensity * m->kd, intensity * m->ks};
-        if (m->index > 0)
-            p->lamp[i].specular = intensity;
+        p->lamp[i] = (struct lamp){dot_plane(t, to), dot_plane(t, other), vector3_dot(to, l->eye),
+                                   intensity * m->kd, m->index > 0 ? intensity : intensity * m->ks};
     }
 }
 
-/* The pixel value of one light's highlight; `c` is N·L. */
-RUN_LOOP float highlight(const struct shade *s, const struct lamp *lamp, float r, float c)
+/* The pixel value of a pixel; `per_length` is 1/|N|. */
+RUN_LOOP float value_of(const struct surface *u, const struct lit *lit, int count, bool halfway,
+                        float per_length)
 {
-    float value = lamp->specular * power_read(s->power, smaller(r, 1));
-    return s->material->index > 0 ? value * fresnel(s->material->index, c) : value;
-}
-
-/* `per_length` is 1/|N|. */
-RUN_LOOP float value_of(const struct shade *s, const struct phong *p, const struct lit *lit,
-                        int count, bool halfway, float per_length)
-{
-    float value = p->ambient;
+    float value = u->ambient;
     for (int i = 0; i < count; i++) {
-        const struct lamp *lamp = &p->lamp[i];
         float c = lit[i].d * per_length;
         if (c > 0) {
             float r = lit[i].s * per_length;
             if (!halfway)
-                r = fmaf(2 * c, r, -lamp->toward_view);
-            value = fmaf(lamp->diffuse, c, value);
-            if (r > p->low)
-                value += highlight(s, lamp, r, c);
+                r = fmaf(c + c, r, -lit[i].toward_view);
+            value = fmaf(lit[i].diffuse, c, value);
+            if (r > u->low) {
+                float w = u->index > 0 ? fresnel(u->index, c) : 1;
+                value = fmaf(lit[i].specular * w, power_read(u->power, smaller(r, 1)), value);
+            }
         }
     }
-    return value;
+    return smaller(value, u->top);
 }
 
-RUN_LOOP void far_run(const struct shade *s, const struct phong *p, const struct triangle *t,
-                      unsigned bits, int count, bool halfway)
+/* N·N along a run: its value, the change to the next pixel, and the change of that. */
+struct square {
+    float at, change, second;
+};
+
+RUN_LOOP struct square square_of(const struct triangle *t, const struct phong *p)
 {
-    struct run r = run_of(s, t, &p->z, bits);
-    struct lit lit[LIGHTS_MOST];
-    for (int i = 0; i < count; i++)
-        lit[i] = (struct lit){triangle_value(t, &p->lamp[i].d), p->lamp[i].d.dx,
-                              triangle_value(t, &p->lamp[i].s), p->lamp[i].s.dx};
     struct vector3 step = {p->x.dx, p->y.dx, p->w.dx};
     struct vector3 n = {triangle_value(t, &p->x), triangle_value(t, &p->y),
                         triangle_value(t, &p->w)};
-    float square = vector3_dot(n, n), steps = vector3_dot(step, step);
-    float change = 2 * vector3_dot(n, step) + steps; /* of N·N, to the next pixel */
-    for (; r.count > 0; r.count--) {
-        if (r.z > *r.near) {
-            *r.near = r.z;
-            float value = value_of(s, p, lit, count, halfway, 1 / sqrtf(square));
-            run_put(r.at, 0, bits, s->colours, (int)smaller(value, s->top));
-        }
-        r.z += r.dz;
-        square += change;
-        change += 2 * steps;
-        for (int i = 0; i < count; i++) {
-            lit[i].d += lit[i].dd;
-            lit[i].s += lit[i].ds;
-        }
-        r.at += bits / 8;
-        r.near++;
+    float steps = vector3_dot(step, step);
+    return (struct square){vector3_dot(n, n), 2 * vector3_dot(n, step) + steps, 2 * steps};
+}
+
+RUN_LOOP void lit_begin(const struct triangle *t, const struct phong *p, struct lit *lit, int count)
+{
+    for (int i = 0; i < count; i++) {
+        const struct lamp *l = &p->lamp[i];
+        lit[i].d = triangle_value(t, &l->d);
+        lit[i].s = triangle_value(t, &l->s);
+        lit[i].dd = l->d.dx;
+        lit[i].ds = l->s.dx;
+        lit[i].toward_view = l->toward_view;
+        lit[i].diffuse = l->diffuse;
+        lit[i].specular = l->specular;
     }
 }
 
-RUN_LOOP void far_rows(const struct shade *s, struct triangle *t, unsigned bits, int count,
+RUN_LOOP void step_all(struct square *square, struct lit *lit, int count)
+{
+    square->at += square->change;
+    square->change += square->second;
+    for (int i = 0; i < count; i++) {
+        lit[i].d += lit[i].dd;
+        lit[i].s += lit[i].ds;
+    }
+}
+
+RUN_LOOP void far_rows(const struct shade *s, struct triangle *t, unsigned bits, int one,
                        bool halfway)
 {
     struct phong p;
+    struct run_target to = run_target(s);
+    struct surface u = {fmaf(s->material->ka * s->lighting->ambient, s->scale, s->first), s->top,
+                        s->power->low, s->power, s->material->index};
     far_begin(s, t, &p);
-    while (triangle_next(t))
-        far_run(s, &p, t, bits, count > 0 ? count : p.count, halfway);
+    int count = one ? 1 : p.count;
+    while (triangle_next(t)) {
+        struct run r = run_of(&to, t, &p.z, bits);
+        struct square square = square_of(t, &p);
+        struct lit lit[LIGHTS_MOST];
+        lit_begin(t, &p, lit, count);
+#define PIXEL(k)                                                                                   \
+    if (r.z > r.near[k]) {                                                                         \
+        r.near[k] = r.z;                                                                           \
+        float value = value_of(&u, lit, count, halfway, 1 / sqrtf(square.at));                     \
+        run_put(r.at, k, bits, to.colours, (int)value);                                            \
+    }                                                                                              \
+    r.z += r.dz;                                                                                   \
+    step_all(&square, lit, count)
+        RUN_EACH(r, bits, PIXEL);
+#undef PIXEL
+    }
 }
 
-/* A loop for what is drawn most: one light. */
+/* A loop of its own for what is drawn most: one light. */
 RUN_LOOP void far_triangle(const struct shade *s, struct triangle *t, unsigned bits)
 {
-    if (s->lighting->count != 1)
+    if (s->lighting->count != 1 || bits == 32)
         far_rows(s, t, bits, 0, s->material->halfway);
     else if (s->material->halfway)
         far_rows(s, t, bits, 1, true);
@@ -140,8 +161,8 @@ struct vector_plane {
     struct plane x, y, z;
 };
 
-static struct vector_plane vector_plane(const struct triangle *t, struct vector3 a, struct vector3 b,
-                                        struct vector3 c)
+static struct vector_plane vector_plane(const struct triangle *t, struct vector3 a,
+                                        struct vector3 b, struct vector3 c)
 {
     return (struct vector_plane){triangle_plane(t, a.x, b.x, c.x), triangle_plane(t, a.y, b.y, c.y),
                                  triangle_plane(t, a.z, b.z, c.z)};
@@ -164,8 +185,8 @@ static void near_run(const struct shade *s, struct run *r, struct vector3 place,
     for (; r->count > 0; r->count--) {
         if (r->z > *r->near) {
             *r->near = r->z;
-            uint32_t pixel = shade_pixel(s, illumination_sum(illuminate(s->lighting, s->material,
-                                                                        place, normal)));
+            uint32_t pixel = shade_pixel(
+                s, illumination_sum(illuminate(s->lighting, s->material, place, normal)));
             if (s->bits == 8)
                 *r->at = (uint8_t)pixel;
             else
@@ -184,8 +205,9 @@ static void near_triangle(const struct shade *s, struct triangle *t)
     struct plane z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
     struct vector_plane place = vector_plane(t, t->a->place, t->b->place, t->c->place);
     struct vector_plane normal = vector_plane(t, t->a->normal, t->b->normal, t->c->normal);
+    struct run_target to = run_target(s);
     while (triangle_next(t)) {
-        struct run r = run_of(s, t, &z, s->bits);
+        struct run r = run_of(&to, t, &z, s->bits);
         near_run(s, &r, vector_value(t, &place), vector_step(&place), vector_value(t, &normal),
                  vector_step(&normal));
     }

@@ -32,7 +32,7 @@ void power_table(struct power_table *t, float n)
     for (int k = 0; k < POWER_STEPS + 2; k++) {
         float x = (float)k / POWER_STEPS;
         t->at[k] = power(x, n);
-        if (t->at[k] < 1.0f / 4096)
+        if (t->at[k] < 1.0f / 512)
             t->low = x;
     }
 }

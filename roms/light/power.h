@@ -8,7 +8,7 @@
  *             power_read: 9 operations. A table: POWER_STEPS powers, once for each n.
  * Domain:     x 0…1, n POWER_LEAST…POWER_MOST; what lies beyond is moved to the end.
  * Accuracy:   power: relative 2e-5. power_read: (n / POWER_STEPS)² / 8 and what float leaves, under 0.002
- *             for n = 100; below `low` a table reads 0 where the power is under 1/4096.
+ *             for n = 100; below `low` a table reads 0 where the power is under 1/512.
  * Units:      none.
  * Ownership:  plain values; a table is the caller's.
  * Errors:     none.
@@ -17,6 +17,8 @@
  */
 #ifndef ROMS_LIGHT_POWER_H
 #define ROMS_LIGHT_POWER_H
+
+#include <math.h>
 
 enum { POWER_LEAST = 1, POWER_MOST = 200, POWER_DIGITS = 8, POWER_STEPS = 1024 };
 
@@ -37,7 +39,7 @@ static inline float power_read(const struct power_table *table, float x)
     float place = x * POWER_STEPS;
     int k = (int)place;
     const float *at = &table->at[k];
-    return at[0] + (at[1] - at[0]) * (place - (float)k);
+    return fmaf(at[1] - at[0], place - (float)k, at[0]);
 }
 
 #endif

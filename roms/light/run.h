@@ -1,6 +1,7 @@
 /* run.h — what the inner loops of all shadings share: the present run's pixels and depths.
  *
- * Models:     addresses, and stores of either format.
+ * Models:     addresses, and stores of either format. The loops keep what they need in values of their own: a
+ *             store of a byte might change anything else.
  * Ownership:  into the canvas and the depth buffer of a struct shade.
  * Errors:     none; for the shadings' own use.
  */
@@ -12,19 +13,34 @@
 /* A function whose parameters are constants where it is called: a loop for each of them. */
 #define RUN_LOOP static inline __attribute__((always_inline))
 
+struct run_target {
+    uint8_t *pixels;
+    float *depth;
+    uint32_t pitch;
+    int width;
+    const uint32_t *colours;
+};
+
 struct run {
-    uint8_t *at; /* its first pixel */
-    float *near; /* and the depth there */
+    uint8_t *at;      /* its first pixel */
+    float *near;      /* and the depth there */
+    const float *end; /* the first that is not in it */
     int count;
     float z, dz;
 };
 
-RUN_LOOP struct run run_of(const struct shade *s, const struct triangle *t, const struct plane *z,
-                           unsigned bits)
+RUN_LOOP struct run_target run_target(const struct shade *s)
 {
-    return (struct run){s->pixels + (uint32_t)t->y * s->pitch + (uint32_t)t->x0 * (bits / 8),
-                        s->depth + t->y * s->width + t->x0, t->x1 - t->x0, triangle_value(t, z),
-                        z->dx};
+    return (struct run_target){s->pixels, s->depth, s->pitch, s->width, s->colours};
+}
+
+RUN_LOOP struct run run_of(const struct run_target *to, const struct triangle *t,
+                           const struct plane *z, unsigned bits)
+{
+    uint8_t *at = to->pixels + (uint32_t)t->y * to->pitch + (uint32_t)t->x0 * (bits / 8);
+    float *near = to->depth + t->y * to->width + t->x0;
+    int count = t->x1 - t->x0;
+    return (struct run){at, near, near + count, count, triangle_value(t, z), z->dx};
 }
 
 /* `value` as shade_pixel makes it. */
@@ -36,21 +52,27 @@ RUN_LOOP void run_put(uint8_t *at, int k, unsigned bits, const uint32_t *colours
         ((uint32_t *)(void *)at)[k] = colours[value];
 }
 
-/* Carries out PIXEL(k) for each pixel of the run, four without a step between. */
+/* Carries out PIXEL(k) for each pixel of the run, four of them without a step of addresses between. */
 #define RUN_EACH(run, bits, PIXEL)                                                                 \
     do {                                                                                           \
-        for (; (run).count >= 4; (run).count -= 4) {                                               \
+        if ((run).count & 1) {                                                                     \
+            PIXEL(0);                                                                              \
+            (run).at += (bits) / 8;                                                                \
+            (run).near += 1;                                                                       \
+        }                                                                                          \
+        if ((run).count & 2) {                                                                     \
+            PIXEL(0);                                                                              \
+            PIXEL(1);                                                                              \
+            (run).at += 2 * (bits) / 8;                                                            \
+            (run).near += 2;                                                                       \
+        }                                                                                          \
+        while ((run).near != (run).end) {                                                          \
             PIXEL(0);                                                                              \
             PIXEL(1);                                                                              \
             PIXEL(2);                                                                              \
             PIXEL(3);                                                                              \
             (run).at += 4 * (bits) / 8;                                                            \
             (run).near += 4;                                                                       \
-        }                                                                                          \
-        for (; (run).count > 0; (run).count--) {                                                   \
-            PIXEL(0);                                                                              \
-            (run).at += (bits) / 8;                                                                \
-            (run).near++;                                                                          \
         }                                                                                          \
     } while (0)
 

@@ -52,8 +52,8 @@ struct shade {
 };
 
 /* Entries first … first + levels - 1 of a look-up table. */
-struct shade shade_begin(const struct canvas *canvas, const struct depth_buffer *depth, uint32_t first,
-                         int levels);
+struct shade shade_begin(const struct canvas *canvas, const struct depth_buffer *depth,
+                         uint32_t first, int levels);
 /* Pixels of 32 bits: `levels` colours. */
 struct shade shade_begin_colours(const struct canvas *canvas, const struct depth_buffer *depth,
                                  const uint32_t *colours, int levels);

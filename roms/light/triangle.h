@@ -3,7 +3,7 @@
  *      a ●                 rows from ceil(a.y) up to, not including, ceil(c.y);
  *        │╲  ◀─ run ─▶     pixels from ceil(left) up to, not including, ceil(right)
  *      b ●──╲──
- *          ╲ ╲             v(x, y) = v(a) + ∂v/∂x (x − a.x) + ∂v/∂y (y − a.y)
+ *          ╲ ╲             v(x, y) = v(0, 0) + ∂v/∂x x + ∂v/∂y y
  *            ● c
  *
  * Models:     scan conversion between two edges that are stepped in fixed point, and the plane through three
@@ -48,10 +48,13 @@ struct triangle {
     int covered;     /* pixels of all runs so far */
 };
 
-/* What changes evenly: its value at `a`, and a pixel to the right and down. */
+/* What changes evenly: its value at the canvas' first pixel, and a pixel to the right and down. */
 struct plane {
     float at, dx, dy;
 };
+
+/* Always: rows are short. */
+#define TRIANGLE_INLINE static inline __attribute__((always_inline))
 
 static inline int triangle_ceil(float v)
 {
@@ -126,7 +129,7 @@ static inline bool triangle_begin(struct triangle *t, int width, int height,
 }
 
 /* The next row with pixels: row y, pixels x0 up to, not including, x1. */
-static inline bool triangle_next(struct triangle *t)
+TRIANGLE_INLINE bool triangle_next(struct triangle *t)
 {
     do {
         if (++t->y >= t->end)
@@ -144,16 +147,17 @@ static inline bool triangle_next(struct triangle *t)
 }
 
 /* Through the values at t->a, t->b and t->c. */
-static inline struct plane triangle_plane(const struct triangle *t, float a, float b, float c)
+TRIANGLE_INLINE struct plane triangle_plane(const struct triangle *t, float a, float b, float c)
 {
     float ab = (b - a) * t->inverse, ac = (c - a) * t->inverse;
-    return (struct plane){a, ab * t->acy - ac * t->aby, ac * t->abx - ab * t->acx};
+    float dx = ab * t->acy - ac * t->aby, dy = ac * t->abx - ab * t->acx;
+    return (struct plane){fmaf(-dx, t->a->x, fmaf(-dy, t->a->y, a)), dx, dy};
 }
 
 /* At the first pixel of the present run. */
-static inline float triangle_value(const struct triangle *t, const struct plane *p)
+TRIANGLE_INLINE float triangle_value(const struct triangle *t, const struct plane *p)
 {
-    return fmaf(p->dx, (float)t->x0 - t->a->x, fmaf(p->dy, (float)t->y - t->a->y, p->at));
+    return fmaf(p->dx, (float)t->x0, fmaf(p->dy, (float)t->y, p->at));
 }
 
 #endif
