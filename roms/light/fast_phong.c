@@ -28,23 +28,23 @@ struct fast_phong {
     struct glow glow[LIGHTS_MOST];
 };
 
-static struct vector3 mean(struct vector3 a, struct vector3 b, struct vector3 c)
+static struct vector3 fast_mean(struct vector3 a, struct vector3 b, struct vector3 c)
 {
     return vector3_times(vector3_sum(vector3_sum(a, b), c), 1.0f / 3);
 }
 
-static struct fast_phong_normal normal_of(const struct triangle *t)
+static struct fast_phong_normal fast_normal(const struct triangle *t)
 {
     const struct vector3 *a = &t->a->normal, *b = &t->b->normal, *c = &t->c->normal;
     struct plane x = triangle_plane(t, a->x, b->x, c->x), y = triangle_plane(t, a->y, b->y, c->y);
     struct plane z = triangle_plane(t, a->z, b->z, c->z);
     return fast_phong_normal((struct vector3){x.dx, y.dx, z.dx}, (struct vector3){x.dy, y.dy, z.dy},
-                             mean(*a, *b, *c));
+                             fast_mean(*a, *b, *c));
 }
 
 /* What the light does in the triangle's middle; `toward`, `attenuation` and `w` count. */
-static struct light_term term_of(const struct shade *s, struct vector3 place, struct vector3 normal,
-                                 int i)
+static struct light_term fast_term(const struct shade *s, struct vector3 place,
+                                   struct vector3 normal, int i)
 {
     const struct light *light = &s->lighting->light[i];
     if (light->kind != LIGHT_FAR || s->material->index > 0)
@@ -52,13 +52,13 @@ static struct light_term term_of(const struct shade *s, struct vector3 place, st
     return (struct light_term){.toward = light->at, .attenuation = 1, .w = s->material->ks};
 }
 
-static void begin(const struct shade *s, const struct triangle *t, struct fast_phong *p)
+static void fast_begin(const struct shade *s, const struct triangle *t, struct fast_phong *p)
 {
     const struct lighting *l = s->lighting;
     const struct material *m = s->material;
-    struct vector3 place = mean(t->a->place, t->b->place, t->c->place);
+    struct vector3 place = fast_mean(t->a->place, t->b->place, t->c->place);
     struct vector3 view = lighting_view(l, place);
-    struct fast_phong_normal n = normal_of(t);
+    struct fast_phong_normal n = fast_normal(t);
     p->z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
     p->x = (t->abx + t->acx) * (1.0f / 3) + t->a->x;
     p->y = (t->aby + t->acy) * (1.0f / 3) + t->a->y;
@@ -67,7 +67,7 @@ static void begin(const struct shade *s, const struct triangle *t, struct fast_p
     p->count = l->count;
     float floor = s->first + m->ka * l->ambient * s->scale;
     for (int i = 0; i < l->count; i++) {
-        struct light_term term = term_of(s, place, n.c, i);
+        struct light_term term = fast_term(s, place, n.c, i);
         struct glow *g = &p->glow[i];
         float intensity = l->light[i].intensity * term.attenuation * s->scale;
         g->d = fast_phong_series(&n, vector3_times(term.toward, intensity * m->kd));
@@ -80,8 +80,8 @@ static void begin(const struct shade *s, const struct triangle *t, struct fast_p
 }
 
 /* A polynomial at the run's beginning, with its first and second differences. */
-RUN_LOOP void step_begin(const struct fast_phong_series *s, float x, float y, float *value,
-                         float *first, float *second)
+RUN_LOOP void fast_step_begin(const struct fast_phong_series *s, float x, float y, float *value,
+                              float *first, float *second)
 {
     float across = s->t[4] * y + s->t[2];
     *value = fast_phong_value(s, x, y);
@@ -90,13 +90,13 @@ RUN_LOOP void step_begin(const struct fast_phong_series *s, float x, float y, fl
 }
 
 /* What is the same for all pixels. */
-struct surface {
+struct fast_surface {
     float top, low; /* low: of N·H */
     bool fourth;
     const struct power_table *power;
 };
 
-RUN_LOOP float value_of(const struct surface *u, const struct stepped *at, int count)
+RUN_LOOP float fast_pixel(const struct fast_surface *u, const struct stepped *at, int count)
 {
     float value = larger(at[0].d, at[0].floor);
     for (int i = 1; i < count; i++)
@@ -112,7 +112,7 @@ RUN_LOOP float value_of(const struct surface *u, const struct stepped *at, int c
     return smaller(value, u->top);
 }
 
-RUN_LOOP void step_all(struct stepped *at, int count)
+RUN_LOOP void fast_step(struct stepped *at, int count)
 {
     for (int i = 0; i < count; i++) {
         at[i].d += at[i].dd;
@@ -122,38 +122,38 @@ RUN_LOOP void step_all(struct stepped *at, int count)
     }
 }
 
-RUN_LOOP void run_begin(const struct triangle *t, const struct fast_phong *p, struct stepped *at,
-                        int count)
+RUN_LOOP void fast_run_begin(const struct triangle *t, const struct fast_phong *p,
+                             struct stepped *at, int count)
 {
     float x = (float)t->x0 - p->x, y = (float)t->y - p->y;
     for (int i = 0; i < count; i++) {
         const struct glow *g = &p->glow[i];
-        step_begin(&g->d, x, y, &at[i].d, &at[i].dd, &at[i].ddd);
-        step_begin(&g->s, x, y, &at[i].s, &at[i].ds, &at[i].dds);
+        fast_step_begin(&g->d, x, y, &at[i].d, &at[i].dd, &at[i].ddd);
+        fast_step_begin(&g->s, x, y, &at[i].s, &at[i].ds, &at[i].dds);
         at[i].floor = g->floor;
         at[i].specular = g->specular;
     }
 }
 
-RUN_LOOP void rows(const struct shade *s, struct triangle *t, unsigned bits, bool one)
+RUN_LOOP void fast_rows(const struct shade *s, struct triangle *t, unsigned bits, bool one)
 {
     struct fast_phong p;
     struct run_target to = run_target(s);
-    begin(s, t, &p);
-    struct surface u = {s->top, p.low, p.fourth, s->power};
+    fast_begin(s, t, &p);
+    struct fast_surface u = {s->top, p.low, p.fourth, s->power};
     int count = one ? 1 : p.count;
     while (triangle_next(t)) {
         struct run r = run_of(&to, t, &p.z, bits);
         struct stepped at[LIGHTS_MOST];
         at[0] = (struct stepped){0};
-        run_begin(t, &p, at, count);
+        fast_run_begin(t, &p, at, count);
 #define PIXEL(k)                                                                                   \
     if (r.z > r.near[k]) {                                                                         \
         r.near[k] = r.z;                                                                           \
-        run_put(r.at, k, bits, to.colours, (int)value_of(&u, at, count));                          \
+        run_put(r.at, k, bits, to.colours, (int)fast_pixel(&u, at, count));                        \
     }                                                                                              \
     r.z += r.dz;                                                                                   \
-    step_all(at, count)
+    fast_step(at, count)
         RUN_EACH(r, bits, PIXEL);
 #undef PIXEL
     }
@@ -171,10 +171,10 @@ void shade_fast_phong(struct shade *s, const struct shade_vertex *a, const struc
         return;
     s->triangles++;
     if (s->bits == 8 && s->lighting->count == 1)
-        rows(s, &t, 8, true);
+        fast_rows(s, &t, 8, true);
     else if (s->bits == 8)
-        rows(s, &t, 8, false);
+        fast_rows(s, &t, 8, false);
     else
-        rows(s, &t, 32, false);
+        fast_rows(s, &t, 32, false);
     s->covered += (uint32_t)t.covered;
 }

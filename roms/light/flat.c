@@ -4,7 +4,7 @@
  */
 #include "roms/light/run.h"
 
-RUN_LOOP void rows(struct shade *s, struct triangle *t, unsigned bits, uint32_t value)
+RUN_LOOP void flat_rows(struct shade *s, struct triangle *t, unsigned bits, uint32_t value)
 {
     struct plane z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
     struct run_target to = run_target(s);
@@ -33,7 +33,7 @@ void shade_flat(struct shade *s, float intensity, const struct shade_vertex *a,
         return;
     s->triangles++;
     if (s->bits == 8)
-        rows(s, &t, 8, shade_pixel(s, intensity));
+        flat_rows(s, &t, 8, shade_pixel(s, intensity));
     else
-        rows(s, &t, 32, shade_pixel(s, intensity));
+        flat_rows(s, &t, 32, shade_pixel(s, intensity));
 }

@@ -8,7 +8,7 @@
  *
  * Models:     the surface of a transparent material (dielectric) of refractive index n against air,
  *             light without polarization: the mean of both polarizations by Fresnel's equations.
- *             Schlick's approximation of the same.
+ *             Schlick's approximation of the same, within 0.06 for n from 1.4 to 2.2.
  * Cost:       fresnel: 17 operations, of which a square root and three divisions. Schlick: 11.
  * Domain:     index from 0.1 on (below 1: seen from inside, with total reflection); cosine 0…1, what lies
  *             beyond is moved to the end.

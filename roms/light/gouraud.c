@@ -20,7 +20,7 @@ RUN_LOOP float value_at(const struct shade *s, const struct shade_vertex *v)
     return clamp(value, s->first, s->first + s->scale) * 65536;
 }
 
-RUN_LOOP void rows(struct shade *s, struct triangle *t, unsigned bits)
+RUN_LOOP void gouraud_rows(struct shade *s, struct triangle *t, unsigned bits)
 {
     struct plane z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
     float a = value_at(s, t->a), b = value_at(s, t->b), c = value_at(s, t->c);
@@ -53,7 +53,7 @@ void shade_gouraud(struct shade *s, const struct shade_vertex *a, const struct s
         return;
     s->triangles++;
     if (s->bits == 8)
-        rows(s, &t, 8);
+        gouraud_rows(s, &t, 8);
     else
-        rows(s, &t, 32);
+        gouraud_rows(s, &t, 32);
 }

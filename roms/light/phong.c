@@ -26,7 +26,7 @@ struct phong {
 };
 
 /* What is the same for all pixels. */
-struct surface {
+struct phong_surface {
     float ambient, top, low;
     const struct power_table *power;
     float index;
@@ -59,8 +59,8 @@ static void far_begin(const struct shade *s, const struct triangle *t, struct ph
 }
 
 /* The pixel value of a pixel; `per_length` is 1/|N|. */
-RUN_LOOP float value_of(const struct surface *u, const struct lit *lit, int count, bool halfway,
-                        float per_length)
+RUN_LOOP float phong_pixel(const struct phong_surface *u, const struct lit *lit, int count,
+                           bool halfway, float per_length)
 {
     float value = u->ambient;
     for (int i = 0; i < count; i++) {
@@ -107,7 +107,7 @@ RUN_LOOP void lit_begin(const struct triangle *t, const struct phong *p, struct 
     }
 }
 
-RUN_LOOP void step_all(struct square *square, struct lit *lit, int count)
+RUN_LOOP void phong_step(struct square *square, struct lit *lit, int count)
 {
     square->at += square->change;
     square->change += square->second;
@@ -122,8 +122,8 @@ RUN_LOOP void far_rows(const struct shade *s, struct triangle *t, unsigned bits,
 {
     struct phong p;
     struct run_target to = run_target(s);
-    struct surface u = {fmaf(s->material->ka * s->lighting->ambient, s->scale, s->first), s->top,
-                        s->power->low, s->power, s->material->index};
+    struct phong_surface u = {fmaf(s->material->ka * s->lighting->ambient, s->scale, s->first),
+                              s->top, s->power->low, s->power, s->material->index};
     far_begin(s, t, &p);
     int count = one ? 1 : p.count;
     while (triangle_next(t)) {
@@ -134,11 +134,11 @@ RUN_LOOP void far_rows(const struct shade *s, struct triangle *t, unsigned bits,
 #define PIXEL(k)                                                                                   \
     if (r.z > r.near[k]) {                                                                         \
         r.near[k] = r.z;                                                                           \
-        float value = value_of(&u, lit, count, halfway, 1 / sqrtf(square.at));                     \
+        float value = phong_pixel(&u, lit, count, halfway, 1 / sqrtf(square.at));                  \
         run_put(r.at, k, bits, to.colours, (int)value);                                            \
     }                                                                                              \
     r.z += r.dz;                                                                                   \
-    step_all(&square, lit, count)
+    phong_step(&square, lit, count)
         RUN_EACH(r, bits, PIXEL);
 #undef PIXEL
     }

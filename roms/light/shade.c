@@ -4,8 +4,8 @@
 
 const char *const shading_names[] = {"flat", "gouraud", "phong", "fast-phong", NULL};
 
-static struct shade begin(const struct canvas *c, const struct depth_buffer *d, unsigned bits,
-                          uint32_t first, int levels)
+static struct shade shade_of(const struct canvas *c, const struct depth_buffer *d, unsigned bits,
+                             uint32_t first, int levels)
 {
     struct shade s = {.bits = bits};
     if (c->bits != bits || d->width != c->width || d->height != c->height || levels < 1 ||
@@ -25,13 +25,13 @@ static struct shade begin(const struct canvas *c, const struct depth_buffer *d, 
 struct shade shade_begin(const struct canvas *c, const struct depth_buffer *d, uint32_t first,
                          int levels)
 {
-    return begin(c, d, 8, first, levels);
+    return shade_of(c, d, 8, first, levels);
 }
 
 struct shade shade_begin_colours(const struct canvas *c, const struct depth_buffer *d,
                                  const uint32_t *colours, int levels)
 {
-    struct shade s = begin(c, d, 32, 0, levels);
+    struct shade s = shade_of(c, d, 32, 0, levels);
     s.colours = colours;
     return s;
 }
