@@ -67,10 +67,10 @@ static inline int32_t triangle_edge(const struct shade_vertex *a, const struct s
                                     int32_t *step)
 {
     int first = triangle_ceil(a->y);
-    float slope = (b->x - a->x) / (b->y - a->y);
-    float x = fmaf(slope, (float)first - a->y, a->x);
-    *step = b->y - (float)first > 1 ? (int32_t)(slope * 65536) : 0;
-    return (int32_t)(x * 65536) + (first < 0 ? -first : 0) * *step;
+    float start = (float)(first > 0 ? first : 0), slope = (b->x - a->x) / (b->y - a->y);
+    float x = fmaf(slope, start - a->y, a->x);
+    *step = b->y - start > 1 ? (int32_t)lrintf(slope * 65536) : 0;
+    return (int32_t)(x * 65536);
 }
 
 static inline bool triangle_corner_fits(const struct shade_vertex *v)

