@@ -2,10 +2,10 @@
 
 static const float touch_depth = 0.05f, touch_side = 0.01f;
 
-void hidden_begin(struct hidden_lines *h, const struct scene *scene, unsigned flags)
+void hidden_begin(struct hidden_lines *h, const struct scene *scene, float fold)
 {
     h->scene = scene;
-    h->flags = flags;
+    h->fold = fold;
     h->edge = -1;
     h->part = h->parts = 0;
     h->at = 1;
@@ -124,7 +124,7 @@ static bool next_edge(struct hidden_lines *h)
     const struct scene *s = h->scene;
     do
         h->edge++;
-    while (h->edge < s->edges && !s->edge[h->edge].crease && !(h->flags & HIDDEN_ALL_EDGES));
+    while (h->edge < s->edges && s->edge[h->edge].fold >= h->fold);
     if (h->edge >= s->edges)
         return false;
     gather(h, &s->edge[h->edge]);

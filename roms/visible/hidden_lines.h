@@ -27,6 +27,11 @@
 enum { HIDDEN_PARTS = 24 };
 #define HIDDEN_SHORTEST 0.25f
 
+/* Which edges: those whose surfaces' normals have a cosine (scene_edge.fold) below this. Outlines always. */
+#define EDGES_ALL     2.0f
+#define EDGES_FOLDED  0.9976f /* but within a plane, 4° */
+#define EDGES_CREASED 0.8f    /* but within a curved surface, 37° */
+
 /* A part of an edge, all of it seen or all hidden. */
 struct hidden_part {
     struct vector3 a, b;
@@ -36,7 +41,7 @@ struct hidden_part {
 
 struct hidden_lines {
     const struct scene *scene;
-    unsigned flags;
+    float fold;
     int edge, part, parts;
     float at;
     struct {
@@ -47,9 +52,7 @@ struct hidden_lines {
     } extent[SCENE_SURFACES];
 };
 
-enum { HIDDEN_ALL_EDGES = 1 /* those within a plane, too */ };
-
-void hidden_begin(struct hidden_lines *h, const struct scene *scene, unsigned flags);
+void hidden_begin(struct hidden_lines *h, const struct scene *scene, float fold);
 /* The next part, edge after edge; false: there is none left. */
 bool hidden_next(struct hidden_lines *h, struct hidden_part *part);
 

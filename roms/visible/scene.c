@@ -2,9 +2,6 @@
 
 #include "roms/visible/back_face.h"
 
-/* Normals closer than this are those of one plane: 4°. */
-static const float same_plane = 0.9976f;
-
 void scene_clear(struct scene *s)
 {
     s->vertices = s->corners = s->surfaces = s->edges = 0;
@@ -77,14 +74,16 @@ static void add_surfaces(struct scene *s, const struct object *o, const struct v
         struct vector3 normal =
             vector3_direction(matrix4_apply_direction(&v->turn, plane_normal(&plane)));
         place[i] = SURFACE_NONE;
-        if ((flags & SCENE_CULLED) && is_back_face(o, i, v, normal))
+        bool front = !is_back_face(o, i, v, normal);
+        if ((flags & SCENE_CULLED) && !front)
             continue;
         struct surface *f = &s->surface[s->surfaces];
         *f = (struct surface){.first = (uint16_t)s->corners,
                               .count = o->polygon[i].count,
                               .polygon = (uint16_t)i,
                               .colour = colour,
-                              .normal = normal};
+                              .normal = normal,
+                              .front = front};
         for (int k = 0; k < f->count; k++)
             s->corner[s->corners++] = (uint16_t)(s->vertices + object_corner(o, i, k));
         f->plane = projected_plane(s, f);
@@ -92,22 +91,27 @@ static void add_surfaces(struct scene *s, const struct object *o, const struct v
     }
 }
 
+static float fold_of(const struct scene *s, const uint16_t surface[2])
+{
+    if (surface[0] == SURFACE_NONE || surface[1] == SURFACE_NONE)
+        return -2;
+    const struct surface *a = &s->surface[surface[0]], *b = &s->surface[surface[1]];
+    return a->front != b->front ? -2 : vector3_dot(a->normal, b->normal);
+}
+
+/* But those of which all surfaces were left out. */
 static void add_edges(struct scene *s, const struct object *o, const uint16_t *place)
 {
     for (int i = 0; i < o->edges; i++) {
         const struct object_edge *e = &o->edge[i];
-        uint16_t surface[2];
-        for (int k = 0; k < 2; k++)
-            surface[k] = e->polygon[k] == OBJECT_NONE ? SURFACE_NONE : place[e->polygon[k]];
-        bool both = surface[0] != SURFACE_NONE && surface[1] != SURFACE_NONE;
-        bool none = surface[0] == SURFACE_NONE && surface[1] == SURFACE_NONE;
-        if (none && e->polygon[0] != OBJECT_NONE)
-            continue;
-        s->edge[s->edges++] = (struct scene_edge){
-            {(uint16_t)(s->vertices + e->vertex[0]), (uint16_t)(s->vertices + e->vertex[1])},
-            {surface[0], surface[1]},
-            !both || vector3_dot(s->surface[surface[0]].normal, s->surface[surface[1]].normal) <
-                         same_plane};
+        struct scene_edge *to = &s->edge[s->edges];
+        for (int k = 0; k < 2; k++) {
+            to->vertex[k] = (uint16_t)(s->vertices + e->vertex[k]);
+            to->surface[k] = e->polygon[k] == OBJECT_NONE ? SURFACE_NONE : place[e->polygon[k]];
+        }
+        to->fold = fold_of(s, to->surface);
+        bool none = to->surface[0] == SURFACE_NONE && to->surface[1] == SURFACE_NONE;
+        s->edges += !none || e->polygon[0] == OBJECT_NONE;
     }
 }
 

@@ -49,12 +49,14 @@ struct surface {
     uint32_t colour;       /* pixel value */
     struct plane plane;    /* of the projected corners; C = 0: edge-on */
     struct vector3 normal; /* before projection, of length 1: for shading */
+    bool front;            /* no back face */
 };
 
 struct scene_edge {
     uint16_t vertex[2];
     uint16_t surface[2]; /* SURFACE_NONE: none, or a back face that was left out */
-    bool crease;         /* not between surfaces of one plane */
+    float fold;          /* cosine of the angle between its surfaces' normals; -2: one surface, or
+                              an outline: one of them is a back face */
 };
 
 struct scene {

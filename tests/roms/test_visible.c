@@ -443,7 +443,7 @@ static void parts_of_edges_are_what_points_say(void **state)
             random_scene(SCENE_CULLED);
         else
             random_piercing();
-        hidden_begin(&rig.hidden, &rig.scene, HIDDEN_ALL_EDGES);
+        hidden_begin(&rig.hidden, &rig.scene, EDGES_ALL);
         struct hidden_part part;
         while (hidden_next(&rig.hidden, &part)) {
             for (int k = 1; k < 8; k++) {
@@ -473,7 +473,7 @@ static void parts_of_edges_are_whole_edges(void **state)
     for (int i = 0; i < 100; i++) {
         random_scene(SCENE_CULLED);
         memset(length, 0, sizeof length);
-        hidden_begin(&rig.hidden, &rig.scene, HIDDEN_ALL_EDGES);
+        hidden_begin(&rig.hidden, &rig.scene, EDGES_ALL);
         struct hidden_part part;
         while (hidden_next(&rig.hidden, &part))
             length[part.edge] += hypotf(part.b.x - part.a.x, part.b.y - part.a.y);
@@ -497,7 +497,7 @@ static void a_convex_solid_alone_hides_its_rear_only(void **state)
         view.scale *= 2;
         scene_clear(&rig.scene);
         assert_true(scene_add(&rig.scene, &rig.object, &view, SCENE_CULLED, 0));
-        hidden_begin(&rig.hidden, &rig.scene, HIDDEN_ALL_EDGES);
+        hidden_begin(&rig.hidden, &rig.scene, EDGES_ALL);
         struct hidden_part part;
         while (hidden_next(&rig.hidden, &part))
             assert_true(part.seen);
