@@ -20,7 +20,7 @@ struct stepped {
 };
 
 struct fast_phong {
-    struct plane z;
+    struct gradient z;
     float x, y; /* the middle */
     float low;  /* of N·H */
     bool fourth;
@@ -36,8 +36,9 @@ static struct vector3 fast_mean(struct vector3 a, struct vector3 b, struct vecto
 static struct fast_phong_normal fast_normal(const struct triangle *t)
 {
     const struct vector3 *a = &t->a->normal, *b = &t->b->normal, *c = &t->c->normal;
-    struct plane x = triangle_plane(t, a->x, b->x, c->x), y = triangle_plane(t, a->y, b->y, c->y);
-    struct plane z = triangle_plane(t, a->z, b->z, c->z);
+    struct gradient x = triangle_gradient(t, a->x, b->x, c->x),
+                    y = triangle_gradient(t, a->y, b->y, c->y);
+    struct gradient z = triangle_gradient(t, a->z, b->z, c->z);
     return fast_phong_normal((struct vector3){x.dx, y.dx, z.dx}, (struct vector3){x.dy, y.dy, z.dy},
                              fast_mean(*a, *b, *c));
 }
@@ -59,7 +60,7 @@ static void fast_begin(const struct shade *s, const struct triangle *t, struct f
     struct vector3 place = fast_mean(t->a->place, t->b->place, t->c->place);
     struct vector3 view = lighting_view(l, place);
     struct fast_phong_normal n = fast_normal(t);
-    p->z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
+    p->z = triangle_gradient(t, t->a->z, t->b->z, t->c->z);
     p->x = (t->abx + t->acx) * (1.0f / 3) + t->a->x;
     p->y = (t->aby + t->acy) * (1.0f / 3) + t->a->y;
     p->fourth = !m->halfway;

@@ -6,7 +6,7 @@
 
 RUN_LOOP void flat_rows(struct shade *s, struct triangle *t, unsigned bits, uint32_t value)
 {
-    struct plane z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
+    struct gradient z = triangle_gradient(t, t->a->z, t->b->z, t->c->z);
     struct run_target to = run_target(s);
     while (triangle_next(t)) {
         struct run r = run_of(&to, t, &z, bits);

@@ -22,11 +22,11 @@ RUN_LOOP float value_at(const struct shade *s, const struct shade_vertex *v)
 
 RUN_LOOP void gouraud_rows(struct shade *s, struct triangle *t, unsigned bits)
 {
-    struct plane z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
+    struct gradient z = triangle_gradient(t, t->a->z, t->b->z, t->c->z);
     float a = value_at(s, t->a), b = value_at(s, t->b), c = value_at(s, t->c);
-    struct plane value = triangle_plane(t, a, b, c);
+    struct gradient value = triangle_gradient(t, a, b, c);
     if (is_thin(t))
-        value = (struct plane){(a + b + c) / 3, 0, 0};
+        value = (struct gradient){(a + b + c) / 3, 0, 0};
     int step = (int)value.dx;
     struct run_target to = run_target(s);
     while (triangle_next(t)) {

@@ -4,6 +4,9 @@
 #include "roms/light/fresnel.h"
 #include "roms/light/power.h"
 
+/* Always: who wants sums only then pays for nothing else. */
+#define LIGHT_INLINE static inline __attribute__((always_inline))
+
 struct lighting lighting_dark(float ambient)
 {
     return (struct lighting){.ambient = ambient, .a0 = 1, .eye_far = true, .eye = {0, 0, 1}};
@@ -19,15 +22,15 @@ bool lighting_add(struct lighting *l, struct light light)
     return true;
 }
 
-static float attenuation(const struct lighting *l, float d)
+LIGHT_INLINE float attenuation(const struct lighting *l, float d)
 {
     float by = l->a0 + d * (l->a1 + d * l->a2);
     return by > 1 ? 1 / by : 1;
 }
 
 /* (R·V) or (N·H), where N·L = `incidence` > 0. */
-static float reflection(const struct material *m, struct vector3 n, struct vector3 to,
-                        struct vector3 view, float incidence)
+LIGHT_INLINE float reflection(const struct material *m, struct vector3 n, struct vector3 to,
+                              struct vector3 view, float incidence)
 {
     if (m->halfway)
         return larger(vector3_dot(n, vector3_direction(vector3_sum(to, view))), 0);
@@ -35,9 +38,9 @@ static float reflection(const struct material *m, struct vector3 n, struct vecto
 }
 
 /* The normal is of length 1; `distance` 0: the light is at infinity in the direction `to`. */
-static struct light_term term(const struct lighting *l, const struct material *m, struct vector3 n,
-                              struct vector3 view, struct vector3 to, float distance,
-                              float intensity)
+LIGHT_INLINE struct light_term term(const struct lighting *l, const struct material *m,
+                                    struct vector3 n, struct vector3 view, struct vector3 to,
+                                    float distance, float intensity)
 {
     struct light_term t = {.toward = to, .distance = distance, .attenuation = 1, .w = m->ks};
     if (distance > 0) {
@@ -57,9 +60,10 @@ static struct light_term term(const struct lighting *l, const struct material *m
 }
 
 /* A light or a sample that is at a place. */
-static struct light_term near_term(const struct lighting *l, const struct material *m,
-                                   struct vector3 place, struct vector3 n, struct vector3 view,
-                                   struct vector3 source, float intensity)
+LIGHT_INLINE struct light_term near_term(const struct lighting *l, const struct material *m,
+                                         struct vector3 place, struct vector3 n,
+                                         struct vector3 view, struct vector3 source,
+                                         float intensity)
 {
     struct vector3 to = vector3_difference(source, place);
     float distance = vector3_length(to);
@@ -105,9 +109,9 @@ static struct light_term spread_term(const struct lighting *l, const struct mate
 }
 
 /* The normal and `view` are of length 1. */
-static struct light_term light_term(const struct lighting *l, const struct material *m,
-                                    struct vector3 place, struct vector3 n, struct vector3 view,
-                                    int number)
+LIGHT_INLINE struct light_term light_term(const struct lighting *l, const struct material *m,
+                                          struct vector3 place, struct vector3 n,
+                                          struct vector3 view, int number)
 {
     const struct light *light = &l->light[number];
     switch (light->kind) {

@@ -9,7 +9,7 @@
 
 /* What a light needs in a triangle. */
 struct lamp {
-    struct plane d, s;       /* N·L; N·V or N·H */
+    struct gradient d, s;    /* N·L; N·V or N·H */
     float toward_view;       /* L·V */
     float diffuse, specular; /* pixel values for N·L = 1 and for the power */
 };
@@ -20,7 +20,7 @@ struct lit {
 };
 
 struct phong {
-    struct plane z, x, y, w; /* depth and normal */
+    struct gradient z, x, y, w; /* depth and normal */
     int count;
     struct lamp lamp[LIGHTS_MOST];
 };
@@ -32,10 +32,10 @@ struct phong_surface {
     float index;
 };
 
-static struct plane dot_plane(const struct triangle *t, struct vector3 v)
+static struct gradient dot_gradient(const struct triangle *t, struct vector3 v)
 {
-    return triangle_plane(t, vector3_dot(t->a->normal, v), vector3_dot(t->b->normal, v),
-                          vector3_dot(t->c->normal, v));
+    return triangle_gradient(t, vector3_dot(t->a->normal, v), vector3_dot(t->b->normal, v),
+                             vector3_dot(t->c->normal, v));
 }
 
 static void far_begin(const struct shade *s, const struct triangle *t, struct phong *p)
@@ -43,18 +43,19 @@ static void far_begin(const struct shade *s, const struct triangle *t, struct ph
     const struct lighting *l = s->lighting;
     const struct material *m = s->material;
     const struct vector3 *a = &t->a->normal, *b = &t->b->normal, *c = &t->c->normal;
-    p->z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
-    p->x = triangle_plane(t, a->x, b->x, c->x);
-    p->y = triangle_plane(t, a->y, b->y, c->y);
-    p->w = triangle_plane(t, a->z, b->z, c->z);
+    p->z = triangle_gradient(t, t->a->z, t->b->z, t->c->z);
+    p->x = triangle_gradient(t, a->x, b->x, c->x);
+    p->y = triangle_gradient(t, a->y, b->y, c->y);
+    p->w = triangle_gradient(t, a->z, b->z, c->z);
     p->count = l->count;
     for (int i = 0; i < l->count; i++) {
         struct vector3 to = l->light[i].at, other = l->eye;
         if (m->halfway)
             other = vector3_direction(vector3_sum(to, l->eye));
         float intensity = l->light[i].intensity * s->scale;
-        p->lamp[i] = (struct lamp){dot_plane(t, to), dot_plane(t, other), vector3_dot(to, l->eye),
-                                   intensity * m->kd, m->index > 0 ? intensity : intensity * m->ks};
+        p->lamp[i] =
+            (struct lamp){dot_gradient(t, to), dot_gradient(t, other), vector3_dot(to, l->eye),
+                          intensity * m->kd, m->index > 0 ? intensity : intensity * m->ks};
     }
 }
 
@@ -157,24 +158,25 @@ RUN_LOOP void far_triangle(const struct shade *s, struct triangle *t, unsigned b
 
 /* ---- lights or eye at a place ------------------------------------------------------------------- */
 
-struct vector_plane {
-    struct plane x, y, z;
+struct vector_gradient {
+    struct gradient x, y, z;
 };
 
-static struct vector_plane vector_plane(const struct triangle *t, struct vector3 a,
-                                        struct vector3 b, struct vector3 c)
+static struct vector_gradient vector_gradient(const struct triangle *t, struct vector3 a,
+                                              struct vector3 b, struct vector3 c)
 {
-    return (struct vector_plane){triangle_plane(t, a.x, b.x, c.x), triangle_plane(t, a.y, b.y, c.y),
-                                 triangle_plane(t, a.z, b.z, c.z)};
+    return (struct vector_gradient){triangle_gradient(t, a.x, b.x, c.x),
+                                    triangle_gradient(t, a.y, b.y, c.y),
+                                    triangle_gradient(t, a.z, b.z, c.z)};
 }
 
-static struct vector3 vector_value(const struct triangle *t, const struct vector_plane *p)
+static struct vector3 vector_value(const struct triangle *t, const struct vector_gradient *p)
 {
     return (struct vector3){triangle_value(t, &p->x), triangle_value(t, &p->y),
                             triangle_value(t, &p->z)};
 }
 
-static struct vector3 vector_step(const struct vector_plane *p)
+static struct vector3 vector_step(const struct vector_gradient *p)
 {
     return (struct vector3){p->x.dx, p->y.dx, p->z.dx};
 }
@@ -202,9 +204,9 @@ static void near_run(const struct shade *s, struct run *r, struct vector3 place,
 
 static void near_triangle(const struct shade *s, struct triangle *t)
 {
-    struct plane z = triangle_plane(t, t->a->z, t->b->z, t->c->z);
-    struct vector_plane place = vector_plane(t, t->a->place, t->b->place, t->c->place);
-    struct vector_plane normal = vector_plane(t, t->a->normal, t->b->normal, t->c->normal);
+    struct gradient z = triangle_gradient(t, t->a->z, t->b->z, t->c->z);
+    struct vector_gradient place = vector_gradient(t, t->a->place, t->b->place, t->c->place);
+    struct vector_gradient normal = vector_gradient(t, t->a->normal, t->b->normal, t->c->normal);
     struct run_target to = run_target(s);
     while (triangle_next(t)) {
         struct run r = run_of(&to, t, &z, s->bits);

@@ -35,7 +35,7 @@ RUN_LOOP struct run_target run_target(const struct shade *s)
 }
 
 RUN_LOOP struct run run_of(const struct run_target *to, const struct triangle *t,
-                           const struct plane *z, unsigned bits)
+                           const struct gradient *z, unsigned bits)
 {
     uint8_t *at = to->pixels + (uint32_t)t->y * to->pitch + (uint32_t)t->x0 * (bits / 8);
     float *near = to->depth + t->y * to->width + t->x0;

@@ -49,7 +49,7 @@ struct triangle {
 };
 
 /* What changes evenly: its value at the canvas' first pixel, and a pixel to the right and down. */
-struct plane {
+struct gradient {
     float at, dx, dy;
 };
 
@@ -147,15 +147,16 @@ TRIANGLE_INLINE bool triangle_next(struct triangle *t)
 }
 
 /* Through the values at t->a, t->b and t->c. */
-TRIANGLE_INLINE struct plane triangle_plane(const struct triangle *t, float a, float b, float c)
+TRIANGLE_INLINE struct gradient triangle_gradient(const struct triangle *t, float a, float b,
+                                                  float c)
 {
     float ab = (b - a) * t->inverse, ac = (c - a) * t->inverse;
     float dx = ab * t->acy - ac * t->aby, dy = ac * t->abx - ab * t->acx;
-    return (struct plane){fmaf(-dx, t->a->x, fmaf(-dy, t->a->y, a)), dx, dy};
+    return (struct gradient){fmaf(-dx, t->a->x, fmaf(-dy, t->a->y, a)), dx, dy};
 }
 
 /* At the first pixel of the present run. */
-TRIANGLE_INLINE float triangle_value(const struct triangle *t, const struct plane *p)
+TRIANGLE_INLINE float triangle_value(const struct triangle *t, const struct gradient *p)
 {
     return fmaf(p->dx, (float)t->x0, fmaf(p->dy, (float)t->y, p->at));
 }

@@ -1,0 +1,184 @@
+#include "roms/lessons/eye.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "roms/light/clamp.h"
+#include "roms/raster/dither.h"
+
+/* ---- Mach bands ---------------------------------------------------------------------------------- */
+
+void eye_profile_make(struct eye_profile *p, int facets, bool interpolated)
+{
+    p->facets = facets;
+    p->interpolated = interpolated;
+    mach_profile(facets, interpolated, p->intensity, MACH_SAMPLES);
+    mach_seen(p->intensity, p->seen, MACH_SAMPLES);
+    p->over = p->under = 0;
+    for (int i = 0; i < MACH_SAMPLES; i++) {
+        float more = p->seen[i] - p->intensity[i];
+        p->over = larger(p->over, more);
+        p->under = larger(p->under, -more);
+    }
+}
+
+struct eye_facet eye_facet(const struct eye_profile *p, int facet)
+{
+    float width = 1 / (float)p->facets, inside = 0.001f * width;
+    float left = (float)facet * width;
+    struct eye_facet f = {mach_intensity(p->facets, p->interpolated, left + inside),
+                          mach_intensity(p->facets, p->interpolated, left + width / 2),
+                          mach_intensity(p->facets, p->interpolated, left + width - inside), 2, -2};
+    int first = facet * MACH_SAMPLES / p->facets, last = (facet + 1) * MACH_SAMPLES / p->facets;
+    for (int i = first; i < last; i++) {
+        f.least = smaller(f.least, p->seen[i]);
+        f.most = larger(f.most, p->seen[i]);
+    }
+    return f;
+}
+
+enum { LEFT = 60, RIGHT = 1140, BAND_LOW = 430, BAND_HIGH = 780, LOW = 40, HIGH = 340 };
+
+static void draw_bands(const struct stage *s, const struct eye_profile *p)
+{
+    int x0 = (int)stage_canvas_x(s, LEFT), x1 = (int)stage_canvas_x(s, RIGHT);
+    int top = (int)stage_canvas_y(s, BAND_HIGH), bottom = (int)stage_canvas_y(s, BAND_LOW);
+    for (int x = x0; x < x1; x++) {
+        float place = ((float)(x - x0) + 0.5f) / (float)(x1 - x0);
+        float light = mach_intensity(p->facets, p->interpolated, place);
+        canvas_fill(&s->canvas, x, top, 1, bottom - top, ink_shade(RAMP_GREY, light));
+    }
+}
+
+/* Corners of the lines only: a level run is one line. */
+static void draw_curve(struct stage *s, const float *value, enum ink ink)
+{
+    struct point2 from = {LEFT, LOW + value[0] * (HIGH - LOW)}, last = from;
+    stage_ink(s, ink);
+    for (int i = 1; i < MACH_SAMPLES; i++) {
+        struct point2 at = {LEFT + (float)(RIGHT - LEFT) * (float)i / (MACH_SAMPLES - 1),
+                            LOW + value[i] * (HIGH - LOW)};
+        float slope = (last.y - from.y) * (at.x - from.x) - (at.y - from.y) * (last.x - from.x);
+        if (fabsf(slope) > 1.5f * (at.x - from.x) || fabsf(at.y - last.y) > 6) {
+            stage_line(s, from.x, from.y, last.x, last.y);
+            from = last;
+        }
+        last = at;
+    }
+    stage_line(s, from.x, from.y, last.x, last.y);
+}
+
+void eye_mach_draw(struct stage *s, const struct eye_profile *p)
+{
+    draw_bands(s, p);
+    stage_heads(s, STAGE_VECTOR);
+    stage_ink(s, INK_TEXT);
+    stage_rectangle(s, LEFT, BAND_LOW, RIGHT - LEFT, BAND_HIGH - BAND_LOW);
+    for (int i = 1; i < p->facets; i++) {
+        float x = LEFT + (float)(RIGHT - LEFT) * (float)i / (float)p->facets;
+        stage_line(s, x, BAND_LOW, x, BAND_HIGH);
+    }
+    stage_heads(s, STAGE_BOTH);
+    stage_ink(s, INK_GRID);
+    stage_line(s, LEFT, LOW, RIGHT, LOW);
+    stage_line(s, LEFT, LOW, LEFT, HIGH + 40);
+    draw_curve(s, p->seen, INK_RED);
+    draw_curve(s, p->intensity, INK_YELLOW);
+    stage_ink(s, INK_TEXT);
+    stage_text(s, LEFT + 12, HIGH + 30, "intensity");
+}
+
+/* ---- few levels ---------------------------------------------------------------------------------- */
+
+const char *const eye_halftone_names[] = {"none", "ordered-4", "ordered-8", "diffusion", NULL};
+
+/* A Lambertian ball of radius 1, lit from the upper left; its ground is dark. */
+static float ball(float x, float y)
+{
+    float rr = x * x + y * y;
+    if (rr >= 1)
+        return 0.04f + 0.08f * (y + 1);
+    float z = sqrtf(1 - rr), light = (y - x + 1.4f * z) * 0.503f;
+    return 0.05f + 0.9f * larger(light, 0);
+}
+
+struct halftone {
+    int levels;
+    enum eye_halftone method;
+    struct dither_diffusion diffusion;
+    float error[2 * STAGE_WIDTH + 2];
+};
+
+static void halftone_begin(struct halftone *h, int width, int levels, enum eye_halftone method)
+{
+    h->levels = levels;
+    h->method = method;
+    dither_diffusion_begin(&h->diffusion, h->error, width, levels);
+}
+
+/* Pixels must come row by row. */
+static int halftone_level(struct halftone *h, int x, int y, float intensity)
+{
+    if (h->method == EYE_DIFFUSION)
+        return dither_diffusion_next(&h->diffusion, intensity);
+    return dither_ordered((enum dither_order)h->method, h->levels, x, y, intensity);
+}
+
+static void draw_ball(const struct stage *s, int left, int top, int width, int levels,
+                      enum eye_halftone method)
+{
+    struct halftone h;
+    const struct canvas *c = &s->canvas;
+    halftone_begin(&h, width, levels, method);
+    for (int y = 0; y < width && top + y < c->height; y++) {
+        for (int x = 0; x < width; x++) {
+            float per = 2 / (float)width;
+            float light = ball(((float)x + 0.5f) * per - 1, 1 - ((float)y + 0.5f) * per);
+            int level = halftone_level(&h, x, y, light);
+            canvas_dot(c, left + x, top + y,
+                       ink_shade(RAMP_GREY, (float)level / (float)(levels - 1)));
+        }
+    }
+}
+
+void eye_halftone_draw(struct stage *s, float x, float y, float radius, int levels,
+                       enum eye_halftone method)
+{
+    enum { AROUND = 48 };
+    int width = (int)(2 * radius * s->dots);
+    if (s->heads & STAGE_RASTER && width > 0 && width <= 2 * STAGE_WIDTH)
+        draw_ball(s, (int)stage_canvas_x(s, x - radius), (int)stage_canvas_y(s, y + radius), width,
+                  levels, method);
+    unsigned heads = s->heads;
+    stage_heads(s, heads & STAGE_VECTOR);
+    struct point2 circle[AROUND];
+    for (int i = 0; i < AROUND; i++) {
+        float angle = (float)i * (6.2831853f / AROUND);
+        circle[i] = (struct point2){x + radius * cosf(angle), y + radius * sinf(angle)};
+    }
+    stage_polygon(s, circle, AROUND);
+    stage_heads(s, heads);
+}
+
+struct eye_means eye_halftone_means(int levels, enum eye_halftone method)
+{
+    struct halftone h;
+    struct eye_means m = {0};
+    halftone_begin(&h, EYE_BALL, levels, method);
+    for (int y = 0; y < EYE_BALL; y++) {
+        for (int x = 0; x < EYE_BALL; x++) {
+            float per = 2.0f / EYE_BALL;
+            float light = ball(((float)x + 0.5f) * per - 1, 1 - ((float)y + 0.5f) * per);
+            int band = y * EYE_BANDS / EYE_BALL;
+            m.wanted[band] += light;
+            m.shown[band] += (float)halftone_level(&h, x, y, light) / (float)(levels - 1);
+        }
+    }
+    for (int i = 0; i < EYE_BANDS; i++) {
+        m.wanted[i] /= EYE_BALL * EYE_BALL / EYE_BANDS;
+        m.shown[i] /= EYE_BALL * EYE_BALL / EYE_BANDS;
+        m.all_wanted += m.wanted[i] / EYE_BANDS;
+        m.all_shown += m.shown[i] / EYE_BANDS;
+    }
+    return m;
+}
