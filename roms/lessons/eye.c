@@ -50,22 +50,21 @@ static void draw_bands(const struct stage *s, const struct eye_profile *p)
     }
 }
 
-/* Corners of the lines only: a level run is one line. */
+/* As few lines as show it: a line goes on as long as it keeps its first direction. */
 static void draw_curve(struct stage *s, const float *value, enum ink ink)
 {
-    struct point2 from = {LEFT, LOW + value[0] * (HIGH - LOW)}, last = from;
+    const float across = (float)(RIGHT - LEFT) / (MACH_SAMPLES - 1), up = HIGH - LOW;
+    int from = 0;
     stage_ink(s, ink);
     for (int i = 1; i < MACH_SAMPLES; i++) {
-        struct point2 at = {LEFT + (float)(RIGHT - LEFT) * (float)i / (MACH_SAMPLES - 1),
-                            LOW + value[i] * (HIGH - LOW)};
-        float slope = (last.y - from.y) * (at.x - from.x) - (at.y - from.y) * (last.x - from.x);
-        if (fabsf(slope) > 1.5f * (at.x - from.x) || fabsf(at.y - last.y) > 6) {
-            stage_line(s, from.x, from.y, last.x, last.y);
-            from = last;
-        }
-        last = at;
+        float slope = value[from + 1] - value[from];
+        float ahead = value[from] + slope * (float)(i + 1 - from);
+        if (i + 1 < MACH_SAMPLES && fabsf(ahead - value[i + 1]) * up < 1.2f)
+            continue;
+        stage_line(s, LEFT + across * (float)from, LOW + up * value[from], LEFT + across * (float)i,
+                   LOW + up * value[i]);
+        from = i;
     }
-    stage_line(s, from.x, from.y, last.x, last.y);
 }
 
 void eye_mach_draw(struct stage *s, const struct eye_profile *p)
@@ -141,22 +140,38 @@ static void draw_ball(const struct stage *s, int left, int top, int width, int l
     }
 }
 
+/* On the vector head: a dot for a pixel, as bright as its level. */
+static void dot_ball(struct stage *s, float x, float y, float radius, int levels,
+                     enum eye_halftone method)
+{
+    enum { DOTS = 26 };
+    static const enum ink inks[] = {INK_BLACK, INK_GRID,  INK_BROWN,
+                                    INK_TEXT,  INK_GREEN, INK_BRIGHT};
+    struct halftone h;
+    halftone_begin(&h, DOTS, levels, method);
+    for (int row = 0; row < DOTS; row++) {
+        for (int k = 0; k < DOTS; k++) {
+            float u = 2 * ((float)k + 0.5f) / DOTS - 1, v = 1 - 2 * ((float)row + 0.5f) / DOTS;
+            int level = halftone_level(&h, k, row, ball(u, v));
+            if (level == 0)
+                continue;
+            stage_ink(s, inks[level * 5 / (levels - 1) > 0 ? level * 5 / (levels - 1) : 1]);
+            stage_dot(s, x + u * radius, y + v * radius);
+        }
+    }
+}
+
 void eye_halftone_draw(struct stage *s, float x, float y, float radius, int levels,
                        enum eye_halftone method)
 {
-    enum { AROUND = 48 };
+    unsigned heads = s->heads;
     int width = (int)(2 * radius * s->dots);
-    if (s->heads & STAGE_RASTER && width > 0 && width <= 2 * STAGE_WIDTH)
+    if (heads & STAGE_RASTER && width > 0 && width <= 2 * STAGE_WIDTH)
         draw_ball(s, (int)stage_canvas_x(s, x - radius), (int)stage_canvas_y(s, y + radius), width,
                   levels, method);
-    unsigned heads = s->heads;
     stage_heads(s, heads & STAGE_VECTOR);
-    struct point2 circle[AROUND];
-    for (int i = 0; i < AROUND; i++) {
-        float angle = (float)i * (6.2831853f / AROUND);
-        circle[i] = (struct point2){x + radius * cosf(angle), y + radius * sinf(angle)};
-    }
-    stage_polygon(s, circle, AROUND);
+    if (heads & STAGE_VECTOR)
+        dot_ball(s, x, y, radius, levels, method);
     stage_heads(s, heads);
 }
 

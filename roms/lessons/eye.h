@@ -34,7 +34,7 @@ void eye_mach_draw(struct stage *stage, const struct eye_profile *p);
 enum eye_halftone { EYE_NONE, EYE_ORDERED_4, EYE_ORDERED_8, EYE_DIFFUSION, EYE_HALFTONES };
 extern const char *const eye_halftone_names[]; /* ends with NULL */
 
-/* A ball in grey levels; on the vector head its circles. */
+/* A ball in grey levels; on the vector head in dots. */
 void eye_halftone_draw(struct stage *stage, float x, float y, float radius, int levels,
                        enum eye_halftone method);
 

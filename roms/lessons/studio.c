@@ -15,7 +15,7 @@ void studio_reset(struct studio *s)
     s->lighting = lighting_dark(0.4f);
     lighting_add(&s->lighting,
                  (struct light){.kind = LIGHT_FAR, .at = {-1, 1, 1.4f}, .intensity = 1});
-    s->material = (struct material){.ka = 0.25f, .kd = 0.55f, .ks = 0.4f, .n = 20};
+    s->material = (struct material){.ka = 0.15f, .kd = 0.6f, .ks = 0.4f, .n = 20};
 }
 
 struct studio *studio(void)
@@ -37,7 +37,7 @@ static void make(struct object *o, enum studio_model model, int fineness)
         object_torus(o, 1, 0.45f, fineness, fineness / 2, 0);
     else
         object_vessel(o, 1, fineness > VESSEL_SEGMENTS ? VESSEL_SEGMENTS : fineness, 0);
-    object_normals(o, NORMALS_CREASE);
+    object_normals(o, model == STUDIO_VESSEL ? NORMALS_CREASE : NORMALS_ROUND);
 }
 
 void studio_solid(struct studio *s, enum studio_model model, int fineness)
