@@ -90,7 +90,8 @@ static double model_light(const struct material *m, struct d3 n, struct d3 l, st
     if (incidence <= 0)
         return 0;
     double w = m->ks;
-    if (m->index > 0) { /* Fresnel's equations by the angles: sin and tan of their difference and sum */
+    if (m->index >
+        0) { /* Fresnel's equations by the angles: sin and tan of their difference and sum */
         double in = acos(fmin(incidence, 1)), out = asin(sin(in) / m->index);
         double s = sin(in - out) / sin(in + out), t = tan(in - out) / tan(in + out);
         w = in < 1e-4 ? pow((m->index - 1) / (m->index + 1), 2) : (s * s + t * t) / 2;
@@ -101,7 +102,8 @@ static double model_light(const struct material *m, struct d3 n, struct d3 l, st
     return intensity * (m->kd * incidence + (c > 0 ? w * pow(c, m->n) : 0));
 }
 
-static double model(const struct lighting *g, const struct material *m, struct d3 place, struct d3 n)
+static double model(const struct lighting *g, const struct material *m, struct d3 place,
+                    struct d3 n)
 {
     struct d3 v = d3(g->eye);
     if (!g->eye_far)
@@ -149,8 +151,8 @@ static void powers_are_powers(void **state)
         power_table(&rig.power, n);
         double most = 0;
         for (int i = 0; i <= 100000; i++)
-            most = fmax(most, fabs(power_read(&rig.power, (float)i / 100000) -
-                                   pow((float)i / 100000, n)));
+            most = fmax(
+                most, fabs(power_read(&rig.power, (float)i / 100000) - pow((float)i / 100000, n)));
         assert_true(most < (n / POWER_STEPS) * (n / POWER_STEPS) / 8 + 2e-6);
         assert_true(pow(rig.power.low, n) <= 1.0 / 512 &&
                     pow(rig.power.low + 1.001 / POWER_STEPS, n) >= 1.0 / 512);
@@ -188,14 +190,18 @@ static void fresnel_has_its_limits(void **state)
 
 static struct material random_material(void)
 {
-    return (struct material){between(0, 1), between(0, 1), between(0, 1),
-                             (float)(int)between(1, 60), random_unit() < 0.3 ? between(1.1, 3) : 0,
+    return (struct material){between(0, 1),
+                             between(0, 1),
+                             between(0, 1),
+                             (float)(int)between(1, 60),
+                             random_unit() < 0.3 ? between(1.1, 3) : 0,
                              random_unit() < 0.5};
 }
 
 static struct light random_light(enum light_kind kind)
 {
-    struct light s = {.kind = kind, .intensity = between(0.2, 1), .samples = 1 + (int)between(0, 5)};
+    struct light s = {
+        .kind = kind, .intensity = between(0.2, 1), .samples = 1 + (int)between(0, 5)};
     s.at = vector3_times(random_direction(), between(2, 8));
     s.side = vector3_times(random_direction(), between(0.1, 1));
     s.other = vector3_times(random_direction(), between(0.1, 1));
@@ -247,7 +253,8 @@ static void light_falls_with_distance(void **state)
     g.a0 = 0, g.a1 = 0, g.a2 = 1;
     for (float d = 1; d < 50; d *= 1.1f) { /* the law of squares */
         g.light[0].at = (struct vector3){0, 0, d};
-        assert_true(fabs(illuminate(&g, &m, (struct vector3){0, 0, 0}, up).diffuse * d * d - 1) < 1e-5);
+        assert_true(fabs(illuminate(&g, &m, (struct vector3){0, 0, 0}, up).diffuse * d * d - 1) <
+                    1e-5);
     }
     g.light[0].at = (struct vector3){0, 0, 0.5f}; /* no more than the light has */
     assert_true(illuminate(&g, &m, (struct vector3){0, 0, 0}, up).diffuse == 1);
@@ -266,7 +273,10 @@ static void light_falls_with_distance(void **state)
     /* A line of light of many samples nears the integral: ∫ of h²/(h² + x²)^(3/2)·h … over −1…1 at height h. */
     g = lighting_dark(0);
     g.a0 = 0, g.a2 = 1;
-    lighting_add(&g, (struct light){.kind = LIGHT_LINE, .at = {-1, 0, 2}, .side = {2, 0, 0}, .samples = 16,
+    lighting_add(&g, (struct light){.kind = LIGHT_LINE,
+                                    .at = {-1, 0, 2},
+                                    .side = {2, 0, 0},
+                                    .samples = 16,
                                     .intensity = 1});
     /* ∫ h / (h² + x²)^(3/2) dx / 2 = (1/h) · 1/√(h² + 1) for x = −1…1 */
     double integral = 1 / (2 * sqrt(5));
@@ -465,7 +475,8 @@ static void phong_is_the_light_of_each_pixel(void **state)
         spread_normals(v, 1.5);
         most = fmax(most, compare_triangle(&s, SHADE_PHONG, v, 0.01));
     }
-    print_message("# Phong: at most %.2f levels of %d from double precision, rounding included\n", most, LEVELS);
+    print_message("# Phong: at most %.2f levels of %d from double precision, rounding included\n",
+                  most, LEVELS);
 }
 
 /* Without rounding to levels: the series against what it approximates. */
@@ -498,7 +509,8 @@ static void series_is_near_the_quotient(void **state)
             double y = v[0].y * w[0] + v[1].y * w[1] + v[2].y * w[2];
             double right =
                 dot(unit(mix(d3(v[0].normal), d3(v[1].normal), d3(v[2].normal), w)), d3(light));
-            double error = fabs(fast_phong_value(&series, (float)(x - x0), (float)(y - y0)) - right);
+            double error =
+                fabs(fast_phong_value(&series, (float)(x - x0), (float)(y - y0)) - right);
             if (spread < 1.6)
                 most[(int)(spread * 10)] = fmax(most[(int)(spread * 10)], error);
             ratio = fmax(ratio, error / (pow(spread, 3) + 1e-5));
@@ -522,7 +534,8 @@ static void terms_are_the_courses(void **state)
         double a = dot(d3(L), d3(A)), b = dot(d3(L), d3(B)), c = dot(d3(L), d3(C));
         double d = dot(d3(A), d3(A)), e = 2 * dot(d3(A), d3(B)), f = dot(d3(B), d3(B));
         double g = 2 * dot(d3(A), d3(C)), h = 2 * dot(d3(B), d3(C)), i = dot(d3(C), d3(C));
-        double t[6] = {c / sqrt(i), b / sqrt(i) - c * h / (2 * pow(i, 1.5)),
+        double t[6] = {c / sqrt(i),
+                       b / sqrt(i) - c * h / (2 * pow(i, 1.5)),
                        a / sqrt(i) - c * g / (2 * pow(i, 1.5)),
                        -(b * h + c * f) / (2 * pow(i, 1.5)) + 3 * c * h * h / (8 * pow(i, 2.5)),
                        -(a * h + b * g + c * e) / (2 * pow(i, 1.5)) +
@@ -564,7 +577,8 @@ static void fast_phong_is_near_phong(void **state)
         spread_normals(v, 0.3);
         most = fmax(most, compare_triangle(&s, SHADE_FAST_PHONG, v, 0.04));
     }
-    print_message("# fast Phong, normals spread by up to 0.3: at most %.2f levels of %d\n", most, LEVELS);
+    print_message("# fast Phong, normals spread by up to 0.3: at most %.2f levels of %d\n", most,
+                  LEVELS);
 }
 
 /* ---- edges ----------------------------------------------------------------------------------------- */
@@ -608,7 +622,8 @@ static void shared_edges_share_no_pixel(void **state)
                     rig.count[i] += rig.depth[i] > -1e29f;
                     covered += rig.depth[i] > -1e29f;
                     assert_true((rig.depth[i] > -1e29f) == (s.pixels[i] != 0));
-                    assert_true(s.pixels[i] == 0 || (s.pixels[i] >= 16 && s.pixels[i] < 16 + LEVELS));
+                    assert_true(s.pixels[i] == 0 ||
+                                (s.pixels[i] >= 16 && s.pixels[i] < 16 + LEVELS));
                 }
                 assert_int_equal(covered, s.covered);
             }
@@ -623,7 +638,8 @@ static void nothing_leaves_the_ramp(void **state)
 {
     (void)state;
     rig.state = 17;
-    static const float strange[] = {0, -0.0f, 8192, -8192, 8193, 1e30f, INFINITY, NAN, 1e-30f, 40, 40.5f};
+    static const float strange[] = {0,        -0.0f, 8192,   -8192, 8193, 1e30f,
+                                    INFINITY, NAN,   1e-30f, 40,    40.5f};
     struct lighting g = lighting_dark(0.3f);
     lighting_add(&g, random_light(LIGHT_FAR));
     power_table(&rig.power, plain.n);
@@ -642,7 +658,8 @@ static void nothing_leaves_the_ramp(void **state)
                 v[k].y = strange[(int)between(0, 11)];
         }
         if (i % 2) { /* a sliver */
-            float along = between(-0.2, 1.2), off = between(-1, 1) * between(0, 0.5) * between(0, 1);
+            float along = between(-0.2, 1.2),
+                  off = between(-1, 1) * between(0, 0.5) * between(0, 1);
             v[2].x = v[0].x + (v[1].x - v[0].x) * along + off;
             v[2].y = v[0].y + (v[1].y - v[0].y) * along - off;
         }
