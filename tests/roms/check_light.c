@@ -282,9 +282,9 @@ static int check_speed(void)
         }
         double ms = (double)(timer_now() - start) * 1000 / TIMER_HZ / FRAMES;
         double own = (double)sum.all / FRAMES / 50000;
-        printf(
-            "%-10s %5.1f instructions a pixel, %5.2f ms a frame; with page flips %.1f a second\n",
-            shading_names[shading], (double)sum.shade / sum.covered, own, 1000 / ms);
+        printf("%-10s %lu pixels, %.1f instructions each; %.2f ms a frame; flipped %.1f a second\n",
+               shading_names[shading], (unsigned long)(sum.covered / FRAMES),
+               (double)sum.shade / sum.covered, own, 1000 / ms);
         bad += 1000 / own < (double)limits[shading];
     }
     return verdict(bad == 0,

@@ -17,6 +17,7 @@
 #include "roms/light/fresnel.c"
 #include "roms/light/gouraud.c"
 #include "roms/light/illumination.c"
+#include "roms/light/mach.c"
 #include "roms/light/mesh.c"
 #include "roms/light/phong.c"
 #include "roms/light/power.c"
@@ -749,6 +750,38 @@ static void meshes_are_projected(void **state)
     }
 }
 
+/* A step of height 1 is overdone by the inhibition times the part of the neighbourhood that lies beyond it. */
+static void the_eye_overdoes_steps(void **state)
+{
+    (void)state;
+    enum { COUNT = 200 };
+    float step[COUNT], seen[COUNT], even[COUNT], profile[MACH_SAMPLES];
+    for (int i = 0; i < COUNT; i++) {
+        step[i] = i < COUNT / 2 ? 0 : 1;
+        even[i] = 0.7f;
+    }
+    mach_seen(step, seen, COUNT);
+    double over = MACH_INHIBITION * (double)MACH_REACH / (2 * MACH_REACH + 1);
+    assert_true(fabs(seen[COUNT / 2] - 1 - over) < 1e-5);
+    assert_true(fabs(seen[COUNT / 2 - 1] + over) < 1e-5);
+    assert_true(fabsf(seen[COUNT / 2 + MACH_REACH] - 1) < 1e-5f && fabsf(seen[0]) < 1e-5f);
+    mach_seen(even, seen, COUNT);
+    for (int i = 0; i < COUNT; i++)
+        assert_true(fabsf(seen[i] - 0.7f) < 1e-5f);
+    for (int facets = 2; facets <= MACH_FACETS; facets++) {
+        mach_profile(facets, false, profile, MACH_SAMPLES);
+        int steps = 0;
+        for (int i = 1; i < MACH_SAMPLES; i++)
+            steps += profile[i] != profile[i - 1];
+        assert_int_equal(steps, facets - 1);
+        for (int k = 0; k < facets; k++) { /* interpolated: no steps */
+            float edge = (float)k / (float)facets;
+            assert_true(fabsf(mach_intensity(facets, true, edge) -
+                              mach_intensity(facets, true, edge + 1e-5f)) < 1e-3f);
+        }
+    }
+}
+
 static void other_canvases_keep_nothing(void **state)
 {
     (void)state;
@@ -783,6 +816,7 @@ int main(void)
         cmocka_unit_test(nothing_leaves_the_ramp),
         cmocka_unit_test(nearer_hides_farther),
         cmocka_unit_test(meshes_are_projected),
+        cmocka_unit_test(the_eye_overdoes_steps),
         cmocka_unit_test(other_canvases_keep_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
