@@ -663,6 +663,8 @@ static void nothing_leaves_the_ramp(void **state)
                   off = between(-1, 1) * between(0, 0.5) * between(0, 1);
             v[2].x = v[0].x + (v[1].x - v[0].x) * along + off;
             v[2].y = v[0].y + (v[1].y - v[0].y) * along - off;
+            for (int k = 0; k < 3; k++)
+                v[k].intensity = random_unit() < 0.5 ? 0 : 1;
         }
         if (i % 10 == 0)
             v[0].intensity = strange[(int)between(0, 11)];
@@ -694,6 +696,31 @@ static void nearer_hides_farther(void **state)
             order[pass] = 1;
         }
         assert_true(order[0] && order[1]);
+    }
+}
+
+/* Of equal depths the first stays, in every shading. */
+static void the_first_of_equals_stays(void **state)
+{
+    (void)state;
+    struct lighting g = lighting_dark(0.3f);
+    lighting_add(&g, (struct light){.kind = LIGHT_FAR, .at = {0, 0, 1}, .intensity = 1});
+    power_table(&rig.power, plain.n);
+    for (enum shading shading = 0; shading < SHADINGS; shading++) {
+        static uint8_t kept[WIDTH * HEIGHT];
+        struct shade s = canvas_for(8);
+        struct shade_vertex v[3] = {{.x = 5, .y = 5}, {.x = 90, .y = 20}, {.x = 30, .y = 75}};
+        s.lighting = &g, s.material = &plain, s.power = &rig.power;
+        for (int k = 0; k < 3; k++)
+            v[k].normal = (struct vector3){0, 0, 1};
+        draw(&s, shading, v);
+        memcpy(kept, s.pixels, sizeof kept);
+        for (int k = 0; k < 3; k++) {
+            v[k].intensity = 1;
+            v[k].normal = (struct vector3){1, 0, 0};
+        }
+        draw(&s, shading, v);
+        assert_memory_equal(kept, s.pixels, sizeof kept);
     }
 }
 
@@ -815,6 +842,7 @@ int main(void)
         cmocka_unit_test(shared_edges_share_no_pixel),
         cmocka_unit_test(nothing_leaves_the_ramp),
         cmocka_unit_test(nearer_hides_farther),
+        cmocka_unit_test(the_first_of_equals_stays),
         cmocka_unit_test(meshes_are_projected),
         cmocka_unit_test(the_eye_overdoes_steps),
         cmocka_unit_test(other_canvases_keep_nothing),
