@@ -67,6 +67,7 @@ $(ROM_O)/link.ld: roms/bsp/link.ld emu/memmap.h roms/roms.mk
 
 # Pixels are worth the room that fast code takes.
 $(foreach d,raster pageflip visible light,$(ROM_O)/$(d)/%.o): ROM_CFLAGS += -O2
+$(ROM_O)/lessons/studio.o: ROM_CFLAGS += -O2
 
 # Archive members without time or owner (D).
 $(ROM_O)/libbsp.a: $(ROM_BSP:roms/%.c=$(ROM_O)/%.o)

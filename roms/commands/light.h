@@ -1,6 +1,7 @@
 /* light.h — the commands about light, a file for each kind of them.
  *
- * Models:     what roms/commands/light.c puts into its table; they share the studio's lights and material.
+ * Models:     what roms/commands/light.c puts into its table; they share the studio's lights and
+ *             material.
  * Ownership:  nothing.
  * Errors:     as command.h says.
  */

@@ -10,7 +10,7 @@
 
 static const char *const kind_names[] = {"far", "near", "line", "rectangle", NULL};
 
-/* ---- light -------------------------------------------------------------------------------------- */
+/* ---- light ----------------------------------------------------------------------------------- */
 
 static void print_light(int number, const struct light *l)
 {
@@ -122,7 +122,7 @@ bool light_lights(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- material ------------------------------------------------------------------------------------ */
+/* ---- material -------------------------------------------------------------------------------- */
 
 static void print_material(const struct material *m)
 {
@@ -155,7 +155,7 @@ bool light_material(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- fresnel ------------------------------------------------------------------------------------- */
+/* ---- fresnel --------------------------------------------------------------------------------- */
 
 static void fresnel_row(float index, float degrees)
 {

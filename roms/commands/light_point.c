@@ -28,7 +28,7 @@ static bool take_point(struct words *w, struct point *p)
            words_refuse(w, "the eye is at the point");
 }
 
-/* ---- the table ----------------------------------------------------------------------------------- */
+/* ---- the table ------------------------------------------------------------------------------- */
 
 static void print_working(const struct light_term *t, int number)
 {
@@ -64,7 +64,7 @@ static void print_terms(const struct studio *s, const struct lighting *g, const 
            print_tidy(sum.diffuse), print_tidy(sum.specular), print_tidy(illumination_sum(sum)));
 }
 
-/* ---- the picture: in the plane of N and V --------------------------------------------------------- */
+/* ---- the picture: in the plane of N and V ---------------------------------------------------- */
 
 struct drawing {
     struct stage *stage;

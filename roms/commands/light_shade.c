@@ -24,8 +24,7 @@ static void print_cost(const struct studio_cost *c)
 bool light_shade(struct monitor *m, struct words *w)
 {
     static const char *const captions[] = {
-        "Flat: one intensity a polygon. Every edge is seen, and looks sharper than it is: Mach "
-        "bands.",
+        "Flat: one intensity a polygon. Edges look sharper than they are: Mach bands.",
         "Gouraud: light at the corners, interpolated. Edges are gone, highlights are blurred.",
         "Phong: normals interpolated, light at every pixel. Highlights keep their shape.",
         "Fast Phong: the same by a polynomial of second degree, two additions a pixel."};

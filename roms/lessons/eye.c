@@ -6,7 +6,7 @@
 #include "roms/light/clamp.h"
 #include "roms/raster/dither.h"
 
-/* ---- Mach bands ---------------------------------------------------------------------------------- */
+/* ---- Mach bands ------------------------------------------------------------------------------ */
 
 void eye_profile_make(struct eye_profile *p, int facets, bool interpolated)
 {
@@ -87,7 +87,7 @@ void eye_mach_draw(struct stage *s, const struct eye_profile *p)
     stage_text(s, LEFT + 12, HIGH + 30, "intensity");
 }
 
-/* ---- few levels ---------------------------------------------------------------------------------- */
+/* ---- few levels ------------------------------------------------------------------------------ */
 
 const char *const eye_halftone_names[] = {"none", "ordered-4", "ordered-8", "diffusion", NULL};
 

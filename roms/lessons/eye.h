@@ -11,7 +11,7 @@
 #include "roms/light/mach.h"
 #include "roms/stage/stage.h"
 
-/* ---- Mach bands ---------------------------------------------------------------------------------- */
+/* ---- Mach bands ------------------------------------------------------------------------------ */
 
 struct eye_profile {
     int facets;
@@ -29,7 +29,7 @@ struct eye_facet eye_facet(const struct eye_profile *p, int facet);
 /* Bands in the upper half of the picture (raster head), the profile below (both). */
 void eye_mach_draw(struct stage *stage, const struct eye_profile *p);
 
-/* ---- few levels ---------------------------------------------------------------------------------- */
+/* ---- few levels ------------------------------------------------------------------------------ */
 
 enum eye_halftone { EYE_NONE, EYE_ORDERED_4, EYE_ORDERED_8, EYE_DIFFUSION, EYE_HALFTONES };
 extern const char *const eye_halftone_names[]; /* ends with NULL */

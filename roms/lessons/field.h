@@ -3,14 +3,15 @@
  *      u(t+1) = 2 u(t) − u(t−1) + c² ∇²u − damping      waves
  *      u(t+1) = u(t) + k ∇²u                            heat
  *
- * Models:     the wave equation with sources that swing and a rim that takes waves in; the heat equation with hot
- *             spots and a cold rim. ∇² by the four neighbours.
+ * Models:     the wave equation with sources that swing and a rim that takes waves in; the heat
+ *             equation with hot spots and a cold rim. ∇² by the four neighbours.
  * Cost:       about 20 instructions a point and step; FIELD_RATE steps a second.
  * Domain:     FIELD_SIDE by FIELD_SIDE points; c² = 0.25 and k = 0.2 are stable (below ½ and ¼).
  * Units:      steps; heights about −1…1, heat 0…1.
  * Ownership:  plain value of 13 KB.
  * Errors:     none.
- * Source:     R. Courant, K. Friedrichs, H. Lewy, Mathematische Annalen 100 (1928) 32, for when it is stable.
+ * Source:     R. Courant, K. Friedrichs, H. Lewy, Mathematische Annalen 100 (1928) 32, for when it
+ *             is stable.
  * Not modelled: obstacles other than the wall with two gaps.
  */
 #ifndef ROMS_LESSONS_FIELD_H

@@ -1,5 +1,5 @@
-/* gallery_visual.c — scientific visualization: a computed field as a lit surface with heights in colours and contour
- * lines, and its contour lines alone on the vector head. */
+/* gallery_visual.c — scientific visualization: a computed field as a lit surface with heights in
+ * colours and contour lines, and its contour lines alone on the vector head. */
 #include <math.h>
 #include <stdio.h>
 

@@ -23,7 +23,7 @@ static float level_of(const struct field *f, int band)
     return low + (high - low) * (float)band / RELIEF_BANDS;
 }
 
-/* ---- the surface ---------------------------------------------------------------------------------- */
+/* ---- the surface ----------------------------------------------------------------------------- */
 
 static float height_of(const struct field *f, float value)
 {
@@ -52,7 +52,8 @@ static void make_mesh(struct mesh *mesh, const struct field *f)
     }
 }
 
-/* Normals by differences of the neighbours' heights; the first and last rows have their neighbours'. */
+/* Normals by differences of the neighbours' heights; the first and last rows have their
+ * neighbours'. */
 static void make_normals(struct mesh *mesh)
 {
     for (int r = 0; r < FIELD_SIDE; r++) {
@@ -87,7 +88,7 @@ static void place(struct relief *r, const struct stage *stage, float yaw)
             illuminate(&r->lighting, &r->material, v->vertex[i].place, v->vertex[i].normal));
 }
 
-/* ---- cutting at a level --------------------------------------------------------------------------- */
+/* ---- cutting at a level ---------------------------------------------------------------------- */
 
 /* A corner with its value. */
 struct spot {
@@ -182,7 +183,7 @@ static void cut_triangle(const struct cutting *c, const struct relief *r, const 
     cut(c, &s[low], &s[3 - low - high], &s[high]);
 }
 
-/* ---- around it ------------------------------------------------------------------------------------ */
+/* ---- around it ------------------------------------------------------------------------------- */
 
 static void draw_legend(struct stage *stage, const struct field *f)
 {

@@ -1,9 +1,10 @@
 /* relief.h — a field as a relief: lit, heights in colours, contour lines, legend.
  *
- *      raster head: triangles, cut at the levels, each part in the ramp of its heights, Gouraud shaded
+ *      raster head: triangles, cut at the levels, each part in the ramp of its heights
  *      vector head: the contour lines themselves, in perspective
  *
- * Models:     hypsometric tints; contour lines as the cuts of the levels with the triangles of the grid.
+ * Models:     hypsometric tints; contour lines as the cuts of the levels with the triangles of the
+ *             grid.
  * Cost:       about 400 instructions a triangle and 16 a pixel.
  * Units:      stage units; heights as the field has them.
  * Ownership:  plain value of about 200 KB: static storage.

@@ -1,4 +1,5 @@
-/* shading_eye.c — scenes about a lamp with an extent, and about what the eye makes of steps and of few levels. */
+/* shading_eye.c — scenes about a lamp with an extent, and about what the eye makes of steps and of
+ * few levels. */
 #include <math.h>
 #include <stdio.h>
 
@@ -6,7 +7,7 @@
 #include "roms/lessons/eye.h"
 #include "roms/lessons/shading.h"
 
-/* ---- a lamp over a table -------------------------------------------------------------------------- */
+/* ---- a lamp over a table --------------------------------------------------------------------- */
 
 enum { FLOOR_COLUMNS = 33, FLOOR_ROWS = 21 };
 #define FLOOR_HALF 2.4f /* of its width */
@@ -176,7 +177,7 @@ void shading_lamp(struct shading_lesson *l, struct stage *stage, float t)
         "falls off more slowly.");
 }
 
-/* ---- Mach bands ----------------------------------------------------------------------------------- */
+/* ---- Mach bands ------------------------------------------------------------------------------ */
 
 void shading_mach_begin(struct shading_lesson *l)
 {
@@ -202,7 +203,7 @@ void shading_mach(struct shading_lesson *l, struct stage *stage, float t)
               "brighter: that is what the eye makes of it (red).");
 }
 
-/* ---- few levels ----------------------------------------------------------------------------------- */
+/* ---- few levels ------------------------------------------------------------------------------ */
 
 void shading_dither_begin(struct shading_lesson *l)
 {

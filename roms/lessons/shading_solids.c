@@ -23,7 +23,7 @@ static struct studio_cost draw_solid(struct studio *s, struct stage *stage,
     return cost;
 }
 
-/* ---- the four side by side ------------------------------------------------------------------------ */
+/* ---- the four side by side ------------------------------------------------------------------- */
 
 void shading_compare_begin(struct shading_lesson *l)
 {
@@ -40,12 +40,13 @@ void shading_compare(struct shading_lesson *l, struct stage *stage, float t)
         stage_ink(stage, INK_BRIGHT);
         stage_text(stage, x - 290, y + 165, names[i]);
     }
-    stage_caption(stage, "The same 98 quadrilaterals. Look at the highlight: facets, stars, a "
-                         "spot. Only the outline "
-                         "still shows the facets.");
+    stage_caption(
+        stage,
+        "The same 98 faces. Look at the highlight: facets, stars, a spot - and pieces, where the "
+        "normals differ too much for a series.");
 }
 
-/* ---- one that turns ------------------------------------------------------------------------------- */
+/* ---- one that turns -------------------------------------------------------------------------- */
 
 void shading_turn_begin(struct shading_lesson *l)
 {
@@ -56,7 +57,7 @@ void shading_turn(struct shading_lesson *l, struct stage *stage, float t)
 {
     static const enum ink_ramp ramps[SHADINGS] = {RAMP_GREY, RAMP_GREEN, RAMP_COPPER, RAMP_GOLD};
     int shading = l->shading >= 0 ? l->shading : (int)(t / 5) % SHADINGS;
-    float radius = l->model == STUDIO_VESSEL ? 500 : 370;
+    float radius = l->model == STUDIO_VESSEL ? 440 : 330;
     struct studio_pose pose = {600, l->model == STUDIO_VESSEL ? 370 : 400, radius, 40 * t, 30, 5};
     char text[96];
     l->studio->material.n = l->n;
@@ -68,21 +69,17 @@ void shading_turn(struct shading_lesson *l, struct stage *stage, float t)
     snprintf(text, sizeof text, "n = %.0f", (double)l->n);
     stage_text(stage, 20, 705, text);
     if (cost.pixels > 0) {
-        snprintf(text, sizeof text, "%d of %d triangles", (int)cost.triangles,
-                 l->studio->mesh.triangles);
+        snprintf(text, sizeof text, "%d triangles", l->studio->mesh.triangles);
         stage_text(stage, 20, 80, text);
         snprintf(text, sizeof text, "%.1f instructions a pixel", (double)cost.shade / cost.pixels);
         stage_text(stage, 20, 50, text);
-        snprintf(text, sizeof text, "%.0f pictures a second", (double)l->rate);
+        snprintf(text, sizeof text, "%.0f a second", (double)l->rate);
         stage_text(stage, 20, 20, text);
     }
-    stage_caption(
-        stage,
-        "Every picture is made anew: vertices turned, lit, projected, triangles shaded through the "
-        "depth buffer.");
+    stage_caption(stage, "Turned, lit, projected and shaded anew each time.");
 }
 
-/* ---- term by term --------------------------------------------------------------------------------- */
+/* ---- term by term ---------------------------------------------------------------------------- */
 
 void shading_terms_begin(struct shading_lesson *l)
 {
@@ -135,7 +132,7 @@ void shading_terms(struct shading_lesson *l, struct stage *stage, float t)
                   "I = ka Ia + kd I (N.L) + ks I (R.V)^n: above their sum, below each term alone.");
 }
 
-/* ---- shininess ------------------------------------------------------------------------------------ */
+/* ---- shininess ------------------------------------------------------------------------------- */
 
 void shading_shine_begin(struct shading_lesson *l)
 {
@@ -184,7 +181,7 @@ void shading_shine(struct shading_lesson *l, struct stage *stage, float t)
                          "metal 100 and more.");
 }
 
-/* ---- lights that move ----------------------------------------------------------------------------- */
+/* ---- lights that move ------------------------------------------------------------------------ */
 
 void shading_lights_begin(struct shading_lesson *l)
 {

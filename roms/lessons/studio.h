@@ -1,11 +1,12 @@
-/* studio.h — a solid, its lights and its material: what the commands about light set and lessons look at.
+/* studio.h — a solid, its lights and its material: what the commands about light set.
  *
  *      object ──▶ mesh ──▶ triangles on a part of the canvas (raster head)
  *         └───────────────▶ edges of what is seen from before (vector head)
  *
  * Models:     one solid on the stage, turned, in one of the four shadings.
  * Units:      stage units; degrees. The solid's farthest vertex is 1 from its origin.
- * Ownership:  static storage, one of it, for whoever runs; the object is the workroom's (scenes.h) or the present one.
+ * Ownership:  static storage, one of it, for whoever runs; the object is the workroom's (scenes.h)
+ *             or the present one.
  * Errors:     none; without a raster head nothing is drawn there.
  */
 #ifndef ROMS_LESSONS_STUDIO_H
@@ -25,6 +26,7 @@ struct studio {
     struct mesh_view view;
     const struct object *object; /* that the mesh is of */
     float reach;                 /* its farthest vertex from the origin */
+    bool flat[OBJECT_EDGES];     /* edges between polygons that lie almost in a plane */
 };
 
 /* At first: one light from the upper left, a shiny material, no object. */
@@ -50,7 +52,8 @@ struct studio_cost {
 struct studio_cost studio_shade(struct studio *s, const struct stage *stage,
                                 const struct studio_pose *pose, enum shading shading,
                                 enum ink_ramp ramp);
-/* Edges of polygons that are seen from before, on the heads of the stage. */
+/* Edges of polygons that are seen from before, on the heads of the stage; flat ones only where they
+ * are the outline. */
 void studio_wires(struct studio *s, struct stage *stage, const struct studio_pose *pose);
 
 #endif

@@ -1,14 +1,15 @@
 /* fast_phong.c — Phong shading by fast_phong.h.
  *
- * A pixel: diffuse and specular polynomial stepped by two additions each; the power where a highlight is. Lights and
- * an eye that are at a place are taken as they are seen from the triangle's middle, and so is w(θ). Where the model
- * has (R·V)^n, (N·H)^4n stands for it: φ is twice the angle between N and H.
+ * A pixel: diffuse and specular polynomial stepped by two additions each; the power where a
+ * highlight is. Lights and an eye that are at a place are taken as they are seen from the
+ * triangle's middle, and so is w(θ). Where the model has (R·V)^n, (N·H)^4n stands for it: φ is
+ * twice the angle between N and H.
  */
 #include "roms/light/fast_phong.h"
 
 #include "roms/light/run.h"
 
-/* A light's polynomials in a triangle, about its middle; and in a run: value and first difference. */
+/* A light's polynomials in a triangle, about its middle; and in a run. */
 struct glow {
     struct fast_phong_series d, s;
     float floor; /* no less than that is diffuse */

@@ -6,16 +6,18 @@
  *      ─────── = ───────────────────────── ≈ T5 x² + T4 xy + T3 y² + T2 x + T1 y + T0
  *      |L| |N|   √(dx² + exy + fy² + gx + hy + i)
  *
- * Models:     the Taylor series about (0,0), which is to be put into the middle of the triangle; along a row two
- *             additions a pixel give its next value.
- * Cost:       the normal's part 40 operations a triangle, a series 45 a light and kind of reflection.
- * Domain:     L of length 1. Normals at the corners that differ little: with δ the largest angle between any two
- *             of them, up to 1.5 radians, the error is under 0.25 δ³ (at most 0.172 δ³ in 10 000 random triangles:
- *             tests/roms/test_light.c; 0.001 for 10°, 0.02 for 30°).
+ * Models:     the Taylor series about (0,0), which is to be put into the middle of the triangle;
+ *             along a row two additions a pixel give its next value.
+ * Cost:       the normal's part 40 operations a triangle, a series 45 a light and kind of
+ *             reflection.
+ * Domain:     L of length 1. Normals at the corners that differ little: with δ the largest angle
+ *             between any two of them, up to 1.5 radians, the error is under 0.25 δ³ (at most 0.172
+ *             δ³ in 10 000 random triangles: tests/roms/test_light.c; 0.001 for 10°, 0.02 for 30°).
  * Units:      x and y: pixels, or the caller's.
  * Ownership:  plain values.
  * Errors:     normals that cancel each other in the middle: all terms are 0.
- * Source:     G. Bishop, D. M. Weimer, Fast Phong Shading, Computer Graphics 20 (SIGGRAPH 1986) 103.
+ * Source:     G. Bishop, D. M. Weimer, Fast Phong Shading, Computer Graphics 20 (SIGGRAPH 1986)
+ *             103.
  * Not modelled: R·V, which is no quotient of this form: highlights take N·H (illumination.h).
  */
 #ifndef ROMS_LIGHT_FAST_PHONG_H

@@ -1,7 +1,8 @@
 /* gouraud.c — an intensity a corner, interpolated.
  *
- * A pixel: as flat, and the value shifted to its whole part and stepped. Values are fixed point with 16 binary
- * digits. A triangle so thin that rounding could carry the value beyond those of its corners has their mean.
+ * A pixel: as flat, and the value shifted to its whole part and stepped. Values are fixed point
+ * with 16 binary digits. A triangle so thin that rounding could carry the value beyond those of its
+ * corners has their mean.
  */
 #include "roms/light/run.h"
 

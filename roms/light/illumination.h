@@ -8,21 +8,23 @@
  *
  *      I = ka Ia + Σ f(d) Il [ kd (N·L) + w (R·V)^n ]      w = ks, or w(θ) by Fresnel
  *
- * Models:     ambient light; diffuse reflection by Lambert's law; specular reflection by Phong's model, or
- *             with (N·H)^n by Blinn's; lights at infinity, at a place, along a line and on a rectangle
- *             (as samples at the middles of equal parts, so that nothing is left to chance);
- *             attenuation f(d) = min(1, 1/(a0 + a1 d + a2 d²)) of lights that are at a place.
- * Cost:       about 60 operations a light at infinity, 80 a light at a place and 80 a sample; the power
- *             (power.h) where a highlight is.
- * Domain:     LIGHTS_MOST lights of at most LIGHT_SAMPLES by LIGHT_SAMPLES samples. N·L, R·V and N·H below 0
- *             count as 0, and there is no highlight where N·L is: the light is behind the surface.
- * Units:      intensities: 1 is what a screen shows as white; lengths the caller's; N need not be of length
- *             1: it is made so.
+ * Models:     ambient light; diffuse reflection by Lambert's law; specular reflection by Phong's
+ *             model, or with (N·H)^n by Blinn's; lights at infinity, at a place, along a line and
+ *             on a rectangle (as samples at the middles of equal parts, so that nothing is left to
+ *             chance); attenuation f(d) = min(1, 1/(a0 + a1 d + a2 d²)) of lights that are at a
+ *             place.
+ * Cost:       about 60 operations a light at infinity, 80 a light at a place and 80 a sample; the
+ *             power (power.h) where a highlight is.
+ * Domain:     LIGHTS_MOST lights of at most LIGHT_SAMPLES by LIGHT_SAMPLES samples. N·L, R·V and
+ *             N·H below 0 count as 0, and there is no highlight where N·L is: the light is behind
+ *             the surface.
+ * Units:      intensities: 1 is what a screen shows as white; lengths the caller's; N need not be
+ *             of length 1: it is made so.
  * Ownership:  plain values.
  * Errors:     none: a light in the very point lights it along the normal.
- * Source:     J. H. Lambert, Photometria (1760); Bui Tuong Phong, CACM 18 (1975) 311; J. F. Blinn, Computer
- *             Graphics 11 (1977) 192; C. P. Verbeck, D. P. Greenberg, IEEE Computer Graphics and
- *             Applications 4, 7 (1984) 66, for sources with an extent.
+ * Source:     J. H. Lambert, Photometria (1760); Bui Tuong Phong, CACM 18 (1975) 311; J. F. Blinn,
+ *             Computer Graphics 11 (1977) 192; C. P. Verbeck, D. P. Greenberg, IEEE Computer
+ *             Graphics and Applications 4, 7 (1984) 66, for sources with an extent.
  * Not modelled: shadows, colour of light, light from one surface to another.
  */
 #ifndef ROMS_LIGHT_ILLUMINATION_H
@@ -79,7 +81,7 @@ struct lighting lighting_dark(float ambient);
 /* Adds a light; false: there is no room. A light at infinity is given by any vector toward it. */
 bool lighting_add(struct lighting *lighting, struct light light);
 
-/* The terms at a place with this normal, light after light: for (i = 0; i < lighting->count; i++). */
+/* The term of a light, of lighting->count, at a place with this normal. */
 struct light_term illumination_term(const struct lighting *lighting,
                                     const struct material *material, struct vector3 place,
                                     struct vector3 normal, int light);

@@ -5,8 +5,8 @@
 #include "roms/light/clamp.h"
 #include "roms/light/power.h"
 
-/* Of a point of the cylinder, 0…1 from its left edge to its right one: normals turn by 2.4 radians, the light
- * comes from 0.48 left of the eye. */
+/* Of a point of the cylinder, 0…1 from its left edge to its right one: normals turn by 2.4 radians,
+ * the light comes from 0.48 left of the eye. */
 static float light_at(float place)
 {
     float normal = (place - 0.5f) * 2.4f, light = -0.48f;

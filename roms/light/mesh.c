@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* ---- from polygon tables ------------------------------------------------------------------------ */
+/* ---- from polygon tables --------------------------------------------------------------------- */
 
 /* The mesh's vertex for a side's start and normal; -1: no room. */
 static int vertex_of(struct mesh *mesh, const struct object *o, int side)
@@ -68,7 +68,7 @@ void mesh_mean_normals(struct mesh *mesh)
         mesh->normal[i] = vector3_direction(mesh->normal[i]);
 }
 
-/* ---- once a vertex ------------------------------------------------------------------------------ */
+/* ---- once a vertex --------------------------------------------------------------------------- */
 
 static inline struct vector3 turned(const struct matrix4 *m, struct vector3 v)
 {
@@ -99,7 +99,7 @@ void mesh_project(const struct mesh *mesh, struct mesh_view *view)
     }
 }
 
-/* ---- once a triangle ---------------------------------------------------------------------------- */
+/* ---- once a triangle ------------------------------------------------------------------------- */
 
 static void light_corner(const struct shade *s, struct shade_vertex *v)
 {

@@ -1,15 +1,17 @@
 /* mesh.h — a solid as triangles that share their corners: moved, projected, lit, shaded.
  *
- *      object (polygon tables) ──▶ mesh ──model, projection──▶ shade_vertex ──front faces──▶ shade.h
+ *      object (tables) ──▶ mesh ──model, projection──▶ shade_vertex ──front faces──▶ shade.h
  *
- * Models:     what is done once a vertex (motion, projection, for Gouraud its light) and once a triangle (back
- *             faces left out, for flat its light). The viewer looks along −z from `distance` before the origin, or
- *             from infinity.
- * Cost:       about 60 instructions a vertex and 20 a triangle, the light of vertices that are seen, and the shading's.
+ * Models:     what is done once a vertex (motion, projection, for Gouraud its light) and once a
+ *             triangle (back faces left out, for flat its light). The viewer looks along −z from
+ *             `distance` before the origin, or from infinity.
+ * Cost:       about 60 instructions a vertex and 20 a triangle, the light of vertices that are
+ *             seen, and the shading's.
  * Domain:     MESH_… entries; rigid motions (normals keep their length); all of it before the eye.
  * Units:      space: the caller's; canvas: pixels.
  * Ownership:  a mesh is about 130 KB, a mesh_view's work space 110 KB: static storage.
- * Errors:     what does not fit: false, and the mesh is empty. Vertices at the eye or behind it are not drawn.
+ * Errors:     what does not fit: false, and the mesh is empty. Vertices at the eye or behind it are
+ *             not drawn.
  * Source:     elementary.
  * Not modelled: clipping at the eye, several materials in a mesh.
  */
@@ -32,7 +34,7 @@ struct mesh {
 
 /* The object's triangles; its normals must have been made (roms/solids/normals.h). */
 bool mesh_of_object(struct mesh *mesh, const struct object *object);
-/* Normals at the vertices: mean of those of the triangles that meet there, by the triangles' areas. */
+/* Normals at the vertices: those of the triangles that meet there, by area. */
 void mesh_mean_normals(struct mesh *mesh);
 
 struct mesh_view {
@@ -43,8 +45,8 @@ struct mesh_view {
     struct shade_vertex vertex[MESH_VERTICES];
 };
 
-/* Moves and projects: fills view->vertex. Depth is z, or 1/(distance − z): the nearer the larger, above 0 for
- * all that lies before the eye. */
+/* Moves and projects: fills view->vertex. Depth is z, or 1/(distance − z): the nearer the larger,
+ * above 0 for all that lies before the eye. */
 void mesh_project(const struct mesh *mesh, struct mesh_view *view);
 /* Draws what mesh_project projected. */
 void mesh_shade(const struct mesh *mesh, struct mesh_view *view, struct shade *shade,

@@ -1,8 +1,8 @@
 /* phong.c — a normal a corner, interpolated, and the light of every pixel.
  *
- * With lights and eye at infinity N·L and N·V (or N·H) are planes over the triangle and N·N is stepped by its
- * second difference; a pixel then takes a square root and a division, and the power where a highlight is.
- * Otherwise a pixel asks illumination.h.
+ * With lights and eye at infinity N·L and N·V (or N·H) are planes over the triangle and N·N is
+ * stepped by its second difference; a pixel then takes a square root and a division, and the power
+ * where a highlight is. Otherwise a pixel asks illumination.h.
  */
 #include "roms/light/fresnel.h"
 #include "roms/light/run.h"
@@ -156,7 +156,7 @@ RUN_LOOP void far_triangle(const struct shade *s, struct triangle *t, unsigned b
         far_rows(s, t, bits, 1, false);
 }
 
-/* ---- lights or eye at a place ------------------------------------------------------------------- */
+/* ---- lights or eye at a place ---------------------------------------------------------------- */
 
 struct vector_gradient {
     struct gradient x, y, z;

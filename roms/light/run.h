@@ -1,7 +1,7 @@
 /* run.h — what the inner loops of all shadings share: the present run's pixels and depths.
  *
- * Models:     addresses, and stores of either format. The loops keep what they need in values of their own: a
- *             store of a byte might change anything else.
+ * Models:     addresses, and stores of either format. The loops keep what they need in values of
+ *             their own: a store of a byte might change anything else.
  * Ownership:  into the canvas and the depth buffer of a struct shade.
  * Errors:     none; for the shadings' own use.
  */
@@ -52,7 +52,7 @@ RUN_LOOP void run_put(uint8_t *at, int k, unsigned bits, const uint32_t *colours
         ((uint32_t *)(void *)at)[k] = colours[value];
 }
 
-/* Carries out PIXEL(k) for each pixel of the run, four of them without a step of addresses between. */
+/* Carries out PIXEL(k) for each pixel of the run, four without a step of addresses between. */
 #define RUN_EACH(run, bits, PIXEL)                                                                 \
     do {                                                                                           \
         if ((run).count & 1) {                                                                     \

@@ -6,15 +6,17 @@
  *          ╲ ╲             v(x, y) = v(0, 0) + ∂v/∂x x + ∂v/∂y y
  *            ● c
  *
- * Models:     scan conversion between two edges that are stepped in fixed point, and the plane through three
- *             values. A pixel belongs to the triangle when its middle does; a middle on an edge belongs to
- *             the triangle on its right or below. An edge's places depend on its two ends alone, so that
- *             triangles which share an edge share no pixel and leave none out.
+ * Models:     scan conversion between two edges that are stepped in fixed point, and the plane
+ *             through three values. A pixel belongs to the triangle when its middle does; a middle
+ *             on an edge belongs to the triangle on its right or below. An edge's places depend on
+ *             its two ends alone, so that triangles which share an edge share no pixel and leave
+ *             none out.
  * Cost:       about 85 instructions a triangle, 16 a row, 8 a quantity and 4 more a row for each.
  * Domain:     corners within ±TRIANGLE_LIMIT pixels; others are not drawn: clip before.
  * Units:      pixels, y downwards, middles of pixels are whole numbers; edges: 1/65536 pixel.
  * Ownership:  plain values.
- * Errors:     triangles without rows, without area, or beyond the limit (and what is not a number): false.
+ * Errors:     triangles without rows, without area, or beyond the limit (and what is not a number):
+ *             false.
  * Source:     elementary; W. J. Bouknight, CACM 13 (1970) 527, for stepping along scan lines.
  * Not modelled: edges of curves; perspective within a triangle (values are even on the screen).
  */

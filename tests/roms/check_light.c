@@ -42,7 +42,7 @@ static int verdict(bool good, const char *what)
     return good ? 0 : 1;
 }
 
-/* ---- illumination -------------------------------------------------------------------------------- */
+/* ---- illumination ---------------------------------------------------------------------------- */
 
 /* By angles, in double precision. */
 static double by_angles(const struct material *m, struct vector3 n, struct vector3 l,
@@ -84,7 +84,7 @@ static int check_fresnel(void)
     return verdict(good, "59 indices: w is ((n-1)/(n+1))^2 straight on and 1 at 90 degrees");
 }
 
-/* ---- shading ------------------------------------------------------------------------------------- */
+/* ---- shading --------------------------------------------------------------------------------- */
 
 static struct shade canvas_for(const struct lighting *g, const struct material *m)
 {
@@ -216,7 +216,7 @@ static int check_series(void)
                    "10000 triangles: fast Phong within 0.25 d^3 of Phong, d the normals' spread");
 }
 
-/* ---- speed --------------------------------------------------------------------------------------- */
+/* ---- speed ----------------------------------------------------------------------------------- */
 
 struct frame {
     uint32_t all, shade, covered;
@@ -244,7 +244,7 @@ static struct frame draw_frame(const struct canvas *c, const struct lighting *g,
     return (struct frame){end - start, end - placed, s.covered};
 }
 
-/* A torus of 1024 triangles turns about its height, 440 pixels wide; pages are flipped at retrace. */
+/* A torus of 1024 triangles turns about its height; pages are flipped at retrace. */
 static int check_speed(void)
 {
     enum { FRAMES = 4 };
