@@ -5,7 +5,19 @@
 #include "roms/commands/light.h"
 #include "roms/lessons/studio.h"
 
-enum { FINEST = 32, USUAL = 32 };
+enum { FINEST = 32, USUAL = 32, SAMPLES_MOST = 64 /* a pixel: some seconds */ };
+
+static int samples(const struct lighting *g)
+{
+    int sum = 0;
+    for (int i = 0; i < g->count; i++) {
+        const struct light *l = &g->light[i];
+        sum += l->kind == LIGHT_RECTANGLE ? l->samples * l->samples
+               : l->kind == LIGHT_LINE    ? l->samples
+                                          : 1;
+    }
+    return sum;
+}
 
 static void print_cost(const struct studio_cost *c)
 {
@@ -39,6 +51,9 @@ bool light_shade(struct monitor *m, struct words *w)
         return false;
     struct studio *s = studio();
     struct studio_pose pose = {600, 400, 370, 30, 35, 5};
+    if (shading == SHADE_PHONG && samples(&s->lighting) > SAMPLES_MOST)
+        return words_refuse(w, "%d samples of light at every pixel are too many: at most %d",
+                            samples(&s->lighting), SAMPLES_MOST);
     studio_solid(s, (enum studio_model)model, fineness);
     if (s->mesh.triangles == 0)
         return words_refuse(w, "the object has more than %d triangles", MESH_TRIANGLES);

@@ -75,9 +75,9 @@ static void place(struct relief *r, const struct stage *stage, float yaw)
     struct mesh_view *v = &r->view;
     v->model = view_turn(yaw, 38);
     v->distance = 6;
-    v->x = stage_canvas_x(stage, 490);
+    v->x = stage_canvas_x(stage, 480);
     v->y = stage_canvas_y(stage, 410);
-    v->dots_x = v->dots_y = 262 * stage->dots;
+    v->dots_x = v->dots_y = 246 * stage->dots;
     mesh_project(&r->mesh, v);
     r->lighting = lighting_dark(0.25f);
     lighting_add(&r->lighting,
