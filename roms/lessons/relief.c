@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "roms/lessons/depth.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/workroom.h"
 
 enum { LEGEND_X = 1085, LEGEND_LOW = 180, LEGEND_HIGH = 620, LEGEND_WIDTH = 40 };
 #define RELIEF_HALF   1.5f /* of its side */

@@ -4,7 +4,7 @@
 
 #include "roms/bsp/csr.h"
 #include "roms/lessons/depth.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/workroom.h"
 #include "roms/solids/models.h"
 #include "roms/solids/normals.h"
 

@@ -5,7 +5,7 @@
  *
  * Models:     one solid on the stage, turned, in one of the four shadings.
  * Units:      stage units; degrees. The solid's farthest vertex is 1 from its origin.
- * Ownership:  static storage, one of it, for whoever runs; the object is the workroom's (scenes.h)
+ * Ownership:  static storage, one of it, for whoever runs; the object is the workroom's (workroom.h)
  *             or the present one.
  * Errors:     none; without a raster head nothing is drawn there.
  */
