@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "roms/clip/liang_barsky.c"
+#include "roms/raster/dither.c"
 #include "roms/raster/fill.c"
 #include "roms/raster/line_antialiased.c"
 
@@ -193,6 +194,95 @@ static void blended_lines_are_contained(void **state)
     }
 }
 
+/* ---- dithering ------------------------------------------------------------------------------------- */
+
+/* D(2n) from D(n), as Bayer builds it. */
+static void matrices_are_bayers(void **state)
+{
+    (void)state;
+    static const int two[2][2] = {{0, 2}, {3, 1}};
+    for (int y = 0; y < 4; y++)
+        for (int x = 0; x < 4; x++)
+            assert_int_equal(dither_bayer_4[y][x], 4 * two[y % 2][x % 2] + two[y / 2][x / 2]);
+    for (int y = 0; y < 8; y++)
+        for (int x = 0; x < 8; x++)
+            assert_int_equal(dither_bayer_8[y][x],
+                             4 * dither_bayer_4[y % 4][x % 4] + two[y / 4][x / 4]);
+}
+
+static void ordered_dithering_keeps_the_mean(void **state)
+{
+    (void)state;
+    for (int levels = 2; levels <= 256; levels = levels * 3 / 2 + 1)
+        for (int v = 0; v <= 1000; v++)
+            for (int order = DITHER_ORDERED_4; order <= DITHER_ORDERED_8; order++) {
+                int side = order == DITHER_ORDERED_4 ? 4 : 8, sum = 0;
+                for (int y = 0; y < side; y++)
+                    for (int x = 0; x < side; x++) {
+                        int level = dither_ordered((enum dither_order)order, levels, x + 16, y,
+                                                   (float)v / 1000);
+                        assert_in_range(level, 0, levels - 1);
+                        sum += level;
+                    }
+                double mean = (double)sum / side / side / (levels - 1);
+                /* As near as so many thresholds can be. */
+                assert_true(fabs(mean - v / 1000.0) <= 0.5001 / side / side / (levels - 1) + 1e-5);
+            }
+    assert_int_equal(dither_ordered(DITHER_ORDERED_8, 4, 0, 0, NAN), 0);
+    assert_int_equal(dither_ordered(DITHER_ORDERED_8, 4, 7, 7, 9), 3);
+    assert_int_equal(dither_ordered(DITHER_NONE, 4, 7, 7, 0.51f), 2);
+}
+
+/* No light is lost but at the edges; a ramp keeps its mean in each part of it. */
+static void diffusion_keeps_the_mean(void **state)
+{
+    (void)state;
+    static float error[WIDTH + 2];
+    for (int levels = 2; levels < 40; levels = levels * 2 - 1) {
+        struct dither_diffusion d;
+        double wanted[8] = {0}, got[8] = {0};
+        dither_diffusion_begin(&d, error, WIDTH, levels);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                float v = 0.5f + 0.45f * sinf((float)x * 0.1f) * cosf((float)y * 0.07f);
+                int level = dither_diffusion_next(&d, v);
+                assert_in_range(level, 0, levels - 1);
+                wanted[x / 16] += v;
+                got[x / 16] += (double)level / (levels - 1);
+            }
+        for (int i = 0; i < 8; i++)
+            assert_true(fabs(wanted[i] - got[i]) < 0.02 * wanted[i]);
+    }
+}
+
+/* The weights themselves, against a picture whose errors are kept whole. */
+static void diffusion_is_floyds_and_steinbergs(void **state)
+{
+    (void)state;
+    static double picture[HEIGHT + 1][WIDTH + 2];
+    static float error[WIDTH + 2];
+    struct dither_diffusion d;
+    int different = 0;
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++)
+            picture[y][x + 1] = random_within(0, 1);
+    static double plain[HEIGHT + 1][WIDTH + 2];
+    memcpy(plain, picture, sizeof plain);
+    dither_diffusion_begin(&d, error, WIDTH, 2);
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 1; x <= WIDTH; x++) {
+            double value = picture[y][x];
+            int level = value >= 0.5;
+            different += level != dither_diffusion_next(&d, (float)plain[y][x]);
+            double e = value - level;
+            picture[y][x + 1] += e * 7 / 16;
+            picture[y + 1][x - 1] += e * 3 / 16;
+            picture[y + 1][x] += e * 5 / 16;
+            picture[y + 1][x + 1] += e * 1 / 16;
+        }
+    assert_true(different < WIDTH * HEIGHT / 1000); /* where rounding decides */
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -202,6 +292,10 @@ int main(void)
         cmocka_unit_test(ramps_are_drawn_in_every_format),
         cmocka_unit_test(blending_mixes_each_primary),
         cmocka_unit_test(blended_lines_are_contained),
+        cmocka_unit_test(matrices_are_bayers),
+        cmocka_unit_test(ordered_dithering_keeps_the_mean),
+        cmocka_unit_test(diffusion_keeps_the_mean),
+        cmocka_unit_test(diffusion_is_floyds_and_steinbergs),
     };
     rig.state = 12345;
     return cmocka_run_group_tests(tests, NULL, NULL);
