@@ -16,16 +16,16 @@ const uint8_t antialiased_coverage[ANTIALIASED_ENTRIES] = {
     9,   8,   7,   6,   5,   5,   4,   3,   3,   2,   2,   1,   1,   1,   0,   0,   0,
 };
 
-static const float reach = 30000;
+static const float farthest = 30000;
 
-static bool within(float v)
+static bool reachable(float v)
 {
-    return v >= -reach && v <= reach; /* false for what is not a number */
+    return v >= -farthest && v <= farthest; /* false for what is not a number */
 }
 
 bool line_antialiased_begin(struct line_antialiased *l, float x0, float y0, float x1, float y1)
 {
-    if (!within(x0) || !within(y0) || !within(x1) || !within(y1))
+    if (!reachable(x0) || !reachable(y0) || !reachable(x1) || !reachable(y1))
         return false;
     l->steep = fabsf(y1 - y0) > fabsf(x1 - x0);
     /* a along the line, b across it. */
@@ -57,7 +57,7 @@ static bool begin_on(const struct canvas *c, struct line_antialiased *l, float x
     const struct clip_window w = {-BEYOND, -BEYOND, (float)(c->width + BEYOND),
                                   (float)(c->height + BEYOND)};
     struct point2 a = {x0, y0}, b = {x1, y1};
-    if (!within(x0) || !within(y0) || !within(x1) || !within(y1))
+    if (!reachable(x0) || !reachable(y0) || !reachable(x1) || !reachable(y1))
         return false;
     return c->width > 0 && clip_liang_barsky(&w, &a, &b) &&
            line_antialiased_begin(l, a.x, a.y, b.x, b.y);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static bool within(int v)
+static bool pattern_reaches(int v)
 {
     enum { REACH = 30000 };
     return v >= -REACH && v <= REACH;
@@ -13,7 +13,8 @@ void line_dashed_begin(struct line_dashed *l, int x0, int y0, int x1, int y1,
                        const struct dash_pattern *pattern, struct dash_phase *phase)
 {
     *l = (struct line_dashed){.pattern = pattern, .phase = phase, .x = x0, .y = y0};
-    if (!within(x0) || !within(y0) || !within(x1) || !within(y1))
+    if (!pattern_reaches(x0) || !pattern_reaches(y0) || !pattern_reaches(x1) ||
+        !pattern_reaches(y1))
         return;
     l->dx = abs(x1 - x0);
     l->dy = abs(y1 - y0);

@@ -14,7 +14,12 @@
 #include "roms/clip/liang_barsky.c"
 #include "roms/raster/dither.c"
 #include "roms/raster/fill.c"
+#include "roms/raster/font.c"
 #include "roms/raster/line_antialiased.c"
+#include "roms/raster/line_dashed.c"
+#include "roms/raster/line_thick.c"
+#include "roms/raster/polygon_fill.c"
+#include "roms/raster/text_turned.c"
 
 enum { WIDTH = 128, HEIGHT = 96 };
 
@@ -194,6 +199,211 @@ static void blended_lines_are_contained(void **state)
     }
 }
 
+/* ---- dashes ---------------------------------------------------------------------------------------- */
+
+/* Each pixel of a polyline is on as its distance along it says; corners do not disturb. */
+static void dashes_go_on_around_corners(void **state)
+{
+    (void)state;
+    long checked = 0;
+    for (int i = 0; i < 3000; i++) {
+        struct dash_pattern pattern = {.count = 2 + 2 * (int)random_below(4)};
+        struct dash_phase phase = {0};
+        int total = 0, x0 = (int)random_below(1000), y0 = (int)random_below(1000);
+        for (int k = 0; k < pattern.count; k++)
+            total += pattern.length[k] = (uint8_t)(1 + random_below(30));
+        double along = 0;
+        for (int n = 0; n < 6; n++) {
+            int x1 = (int)random_below(1000), y1 = (int)random_below(1000), x, y;
+            double length = hypot(x1 - x0, y1 - y0), longer = fmax(abs(x1 - x0), abs(y1 - y0));
+            struct line_dashed line;
+            bool on;
+            int pixels = 0;
+            line_dashed_begin(&line, x0, y0, x1, y1, &pattern, &phase);
+            for (; line_dashed_next(&line, &x, &y, &on); pixels++) {
+                double here = longer > 0 ? along + pixels * length / longer : along;
+                double within = fmod(here, total);
+                int k = 0;
+                for (; within >= pattern.length[k]; k++)
+                    within -= pattern.length[k];
+                double edge = fmin(within, pattern.length[k] - within);
+                if (edge < 0.05)
+                    continue; /* where rounding decides */
+                assert_int_equal(on, k % 2 == 0);
+                checked++;
+            }
+            assert_int_equal(pixels, (int)longer + 1);
+            assert_true(x == x1 && y == y1);
+            along += length;
+            x0 = x1;
+            y0 = y1;
+        }
+    }
+    assert_true(checked > 1000000);
+}
+
+static void dashes_outside_are_left_out(void **state)
+{
+    (void)state;
+    static const struct dash_pattern solid = {{0}, 0}, dots = {{1, 1}, 2};
+    struct dash_phase phase = {0};
+    struct canvas c = canvas_of(8);
+    canvas_line_dashed(&c, -30000, -20000, 30000, 20000, &dots, &phase, 1);
+    canvas_line_dashed(&c, -30001, 0, 10, 10, &dots, &phase, 1);
+    canvas_line_dashed(&c, 0, 50, WIDTH - 1, 50, &solid, &phase, 2);
+    for (int x = 0; x < WIDTH; x++)
+        assert_int_equal(canvas_pixel(&c, x, 50), 2);
+}
+
+/* ---- wide lines -------------------------------------------------------------------------------------- */
+
+static double from_segment(struct point2 a, struct point2 b, double x, double y)
+{
+    double dx = (double)b.x - a.x, dy = (double)b.y - a.y, square = dx * dx + dy * dy;
+    double t = square > 0 ? ((x - a.x) * dx + (y - a.y) * dy) / square : 0;
+    t = fmin(fmax(t, 0), 1);
+    return hypot(x - a.x - t * dx, y - a.y - t * dy);
+}
+
+/* With round caps and joins: what is within half the width of the polyline, and nothing else. */
+static void round_lines_are_what_is_near(void **state)
+{
+    (void)state;
+    long edge = 0, all = 0;
+    for (int i = 0; i < 400; i++) {
+        struct canvas c = canvas_of(8);
+        struct line_style style = {random_within(1, i % 9 == 0 ? 60 : 12), CAP_ROUND, JOIN_ROUND};
+        struct point2 p[5];
+        int count = 1 + (int)random_below(5);
+        bool closed = i % 3 == 0 && count > 1;
+        for (int k = 0; k < count; k++)
+            p[k] = (struct point2){random_within(-10, 140), random_within(-10, 100)};
+        if (count > 3 && i % 4 == 0)
+            p[2] = p[1];
+        canvas_line_thick(&c, p, count, closed, &style, 1);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                double d = from_segment(p[0], p[0], x, y);
+                for (int k = 0; k + 1 < count + closed; k++)
+                    d = fmin(d, from_segment(p[k], p[(k + 1) % count], x, y));
+                all++;
+                if (fabs(d - (double)style.width / 2) < 0.09)
+                    edge++;
+                else
+                    assert_int_equal(canvas_pixel(&c, x, y), d < (double)style.width / 2);
+            }
+    }
+    assert_true(edge < all / 50);
+}
+
+/* Butt and square ends: a rectangle, measured along the line and across it. */
+static void ends_are_butt_or_square(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 600; i++) {
+        struct canvas c = canvas_of(8);
+        struct line_style style = {random_within(1, 30), i % 2 ? CAP_BUTT : CAP_SQUARE, JOIN_BEVEL};
+        struct point2 p[2];
+        for (int k = 0; k < 2; k++)
+            p[k] = (struct point2){random_within(0, 128), random_within(0, 96)};
+        double dx = (double)p[1].x - p[0].x, dy = (double)p[1].y - p[0].y, length = hypot(dx, dy);
+        double more = style.cap == CAP_SQUARE ? style.width / 2 : 0;
+        canvas_line_thick(&c, p, 2, false, &style, 1);
+        for (int y = 0; y < HEIGHT && length > 1; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                double along = ((x - (double)p[0].x) * dx + (y - (double)p[0].y) * dy) / length;
+                double across = ((x - (double)p[0].x) * dy - (y - (double)p[0].y) * dx) / length;
+                double outside = fmax(fmax(-more - along, along - length - more),
+                                      fabs(across) - (double)style.width / 2);
+                if (fabs(outside) > 0.05)
+                    assert_int_equal(canvas_pixel(&c, x, y), outside < 0);
+            }
+    }
+}
+
+/* A right angle: the corner's square is there with a miter, half of it with a bevel. */
+static void joins_are_mitered_or_bevelled(void **state)
+{
+    (void)state;
+    static const struct point2 p[] = {{20, 70}, {60, 70}, {60, 20}};
+    for (int mitered = 0; mitered <= 1; mitered++)
+        for (int turned = 0; turned <= 1; turned++) {
+            struct canvas c = canvas_of(8);
+            struct line_style style = {20, CAP_BUTT, mitered ? JOIN_MITER : JOIN_BEVEL};
+            struct point2 q[3] = {p[turned ? 2 : 0], p[1], p[turned ? 0 : 2]};
+            canvas_line_thick(&c, q, 3, false, &style, 1);
+            assert_int_equal(canvas_pixel(&c, 68, 78), mitered);
+            assert_int_equal(canvas_pixel(&c, 64, 74), 1);
+            assert_int_equal(canvas_pixel(&c, 66, 73), 1);
+            assert_int_equal(canvas_pixel(&c, 71, 78), 0);
+            assert_int_equal(canvas_pixel(&c, 52, 62), 1);
+            assert_int_equal(canvas_pixel(&c, 49, 58), 0);
+        }
+    /* A corner too sharp for a miter is bevelled. */
+    static const struct point2 sharp[] = {{10, 50}, {80, 50}, {10, 52}};
+    struct canvas c = canvas_of(8);
+    struct line_style style = {8, CAP_BUTT, JOIN_MITER};
+    canvas_line_thick(&c, sharp, 3, false, &style, 1);
+    assert_int_equal(canvas_pixel(&c, 86, 50), 0);
+}
+
+static void lines_of_no_length_are_their_caps(void **state)
+{
+    (void)state;
+    static const struct point2 p[] = {{50, 50}, {50, 50}};
+    for (int cap = CAP_BUTT; cap <= CAP_ROUND; cap++) {
+        struct canvas c = canvas_of(8);
+        struct line_style style = {21, (enum line_cap)cap, JOIN_MITER};
+        canvas_line_thick(&c, p, 2, cap == CAP_SQUARE, &style, 1);
+        assert_int_equal(canvas_pixel(&c, 50, 50), cap != CAP_BUTT);
+        assert_int_equal(canvas_pixel(&c, 58, 58), cap == CAP_SQUARE);
+        style.width = THICK_WIDEST + 1;
+        canvas_line_thick(&c, p, 2, false, &style, 2);
+        style.width = NAN;
+        canvas_line_thick(&c, p, 2, false, &style, 2);
+        canvas_line_thick(&c, p, 0, false, &style, 2);
+        assert_int_equal(canvas_pixel(&c, 0, 0), 0);
+    }
+    struct thick_piece piece;
+    struct line_thick line;
+    struct line_style widest = {THICK_WIDEST, CAP_ROUND, JOIN_ROUND};
+    line_thick_begin(&line, p, 1, false, &widest);
+    while (line_thick_next(&line, &piece))
+        assert_in_range(piece.count, 100, POLYGON_CORNERS);
+}
+
+/* ---- text -------------------------------------------------------------------------------------------- */
+
+/* The dot of the font that a pixel of the canvas shows, for every direction and odd sizes. */
+static void turned_text_is_the_font(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 400; i++) {
+        struct canvas c = canvas_of(1);
+        struct text_cell cell = {8 + (int)random_below(30), 12 + (int)random_below(40),
+                                 (enum text_direction)(i % 4)};
+        char text[4] = {(char)(33 + random_below(94)), (char)(33 + random_below(94)), 'g', '\0'};
+        int x0 = (int)random_below(WIDTH), y0 = (int)random_below(HEIGHT);
+        canvas_text_turned(&c, x0, y0, &cell, 1, text);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                int right = x - x0, down = y - y0;
+                int along[] = {right, -down - 1, -right - 1, down};
+                int across[] = {down, right, -down - 1, -right - 1};
+                int a = along[i % 4], d = across[i % 4], lit = 0;
+                if (a >= 0 && d >= 0 && a < 3 * cell.width && d < cell.height) {
+                    int column = 0, row = 0;
+                    while ((column + 1) * cell.width / FONT_WIDTH <= a % cell.width)
+                        column++;
+                    while ((row + 1) * cell.height / FONT_HEIGHT <= d)
+                        row++;
+                    lit = font_row(text[a / cell.width], row) >> (7 - column) & 1;
+                }
+                assert_int_equal(canvas_pixel(&c, x, y), lit);
+            }
+    }
+}
+
 /* ---- dithering ------------------------------------------------------------------------------------- */
 
 /* D(2n) from D(n), as Bayer builds it. */
@@ -292,6 +502,13 @@ int main(void)
         cmocka_unit_test(ramps_are_drawn_in_every_format),
         cmocka_unit_test(blending_mixes_each_primary),
         cmocka_unit_test(blended_lines_are_contained),
+        cmocka_unit_test(dashes_go_on_around_corners),
+        cmocka_unit_test(dashes_outside_are_left_out),
+        cmocka_unit_test(round_lines_are_what_is_near),
+        cmocka_unit_test(ends_are_butt_or_square),
+        cmocka_unit_test(joins_are_mitered_or_bevelled),
+        cmocka_unit_test(lines_of_no_length_are_their_caps),
+        cmocka_unit_test(turned_text_is_the_font),
         cmocka_unit_test(matrices_are_bayers),
         cmocka_unit_test(ordered_dithering_keeps_the_mean),
         cmocka_unit_test(diffusion_keeps_the_mean),
