@@ -70,7 +70,7 @@ bool span_fill_next(struct span_fill *f, struct span_filled *out)
         int before = f->count;
         push_row(f, x0 - f->corners, end - 1 + f->corners, y - 1);
         push_row(f, x0 - f->corners, end - 1 + f->corners, y + 1);
-        *out = (struct span_filled){y, x0, end - 1, f->count - before};
+        *out = (struct span_filled){s.x, y, x0, end - 1, f->count - before};
         return true;
     }
     return false;

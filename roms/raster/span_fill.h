@@ -41,6 +41,7 @@ struct span_fill {
 
 /* A span that was filled, and the seeds it left: the last `pushed` of the stack. */
 struct span_filled {
+    int seed; /* its x */
     int y, x0, x1;
     int pushed;
 };
