@@ -3,10 +3,25 @@
 #include <stddef.h>
 
 extern const struct lesson lesson_lines, lesson_drift, lesson_circles, lesson_plane,
-    lesson_clipping, lesson_space, lesson_curves, lesson_solids, lesson_surfaces, lesson_shading;
+    lesson_clipping, lesson_space, lesson_curves, lesson_solids, lesson_surfaces, lesson_shading,
+    lesson_areas, lesson_gallery_interface, lesson_gallery_plotting, lesson_gallery_publishing,
+    lesson_gallery_art;
 
 const struct lesson *const lessons[] = {
-    &lesson_lines, &lesson_drift,  &lesson_circles, &lesson_plane,    &lesson_clipping,
-    &lesson_space, &lesson_curves, &lesson_solids,  &lesson_surfaces, &lesson_shading,
+    &lesson_lines,
+    &lesson_drift,
+    &lesson_circles,
+    &lesson_areas,
+    &lesson_plane,
+    &lesson_clipping,
+    &lesson_space,
+    &lesson_curves,
+    &lesson_solids,
+    &lesson_surfaces,
+    &lesson_shading,
+    &lesson_gallery_interface,
+    &lesson_gallery_plotting,
+    &lesson_gallery_publishing,
+    &lesson_gallery_art,
     NULL,
 };
