@@ -34,7 +34,7 @@ static void compute(struct surface *s, float t)
             float near = 1 / (1 + 0.035f * (z + 6));
             s->height[j][i] = h;
             s->at[j][i] =
-                (struct point2){600 + 92 * x * near, 90 + (z + 6) * 50 * near + 120 * h * near};
+                (struct point2){600 + 96 * x * near, 130 + (z + 6) * 60 * near + 150 * h * near};
         }
 }
 
@@ -48,8 +48,8 @@ static uint32_t shade(const struct surface *s, int j, int i)
     const float dx = 12.0f / (COLUMNS - 1), dz = 12.0f / (ROWS - 1);
     float nx = -across / dx, nz = -back / dz, length = sqrtf(nx * nx + nz * nz + 1);
     float light = (-0.45f * nx + 0.75f - 0.5f * nz) / length;
-    light = 0.12f + 0.75f * (light > 0 ? light : 0);
-    return ink_shade(s->height[j][i] > 0 ? RAMP_GOLD : RAMP_BLUE, light);
+    light = 0.05f + 0.62f * (light > 0 ? light : 0);
+    return ink_shade(RAMP_COPPER, light);
 }
 
 static void draw_raster(struct stage *stage, const struct surface *s)
