@@ -47,8 +47,8 @@ static uint32_t shade(const struct surface *s, int j, int i)
     float back = s->height[j + 1][i] - s->height[j][i];
     const float dx = 12.0f / (COLUMNS - 1), dz = 12.0f / (ROWS - 1);
     float nx = -across / dx, nz = -back / dz, length = sqrtf(nx * nx + nz * nz + 1);
-    float light = (-0.45f * nx + 0.75f - 0.5f * nz) / length;
-    light = 0.05f + 0.62f * (light > 0 ? light : 0);
+    float light = (-0.75f * nx + 0.5f - 0.4f * nz) / length;
+    light = 0.04f + 0.8f * (light > 0 ? light : 0);
     return ink_shade(RAMP_COPPER, light);
 }
 
