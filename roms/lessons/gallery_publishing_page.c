@@ -7,7 +7,6 @@
 #include "roms/lessons/gallery_publishing.h"
 #include "roms/raster/font.h"
 #include "roms/raster/line_thick.h"
-#include "roms/raster/text_antialiased.h"
 
 enum { LEFT = 50, RIGHT = 800, COLUMN = 360, SECOND = RIGHT - COLUMN };
 enum { BODY_WIDTH = 11, BODY_HEIGHT = 18, BODY_LINE = 21, MOST_WORDS = 24, LONGEST_WORD = 24 };
@@ -43,8 +42,15 @@ static const char story[] =
 
 /* ---- the view --------------------------------------------------------------------------------------- */
 
+static float dots(const struct page_view *v, float length)
+{
+    return length * v->zoom * v->stage->dots;
+}
+
 struct page_view page_look(struct stage *s, struct point2 middle, float zoom)
 {
+    static uint32_t ramp[PAGE_SHADES];
+    static struct text_shades body;
     struct page_view v = {.stage = s, .middle = middle, .zoom = zoom};
     int left = ((int)stage_canvas_x(s, 0) + 3) & ~3, right = (int)stage_canvas_x(s, STAGE_WIDTH);
     int top = (int)stage_canvas_y(s, STAGE_HEIGHT) + 1, bottom = (int)stage_canvas_y(s, 0);
@@ -57,7 +63,10 @@ struct page_view page_look(struct stage *s, struct point2 middle, float zoom)
     v.left = (float)left;
     v.top = (float)top;
     for (int i = 0; i < PAGE_SHADES; i++)
-        v.ramp[i] = ink_shade(RAMP_GREY, 0.62f * (1 - (float)i / (PAGE_SHADES - 1)));
+        ramp[i] = ink_shade(RAMP_GREY, 0.62f * (1 - (float)i / (PAGE_SHADES - 1)));
+    v.ramp = ramp;
+    v.body = &body;
+    text_shades_begin(&body, dots(&v, BODY_WIDTH), dots(&v, BODY_HEIGHT), ramp, PAGE_SHADES);
     return v;
 }
 
@@ -73,11 +82,6 @@ static struct point2 dot(const struct page_view *v, struct point2 p)
     p = page_place(v, p);
     return (struct point2){stage_canvas_x(v->stage, p.x) - v->left,
                            stage_canvas_y(v->stage, p.y) - v->top};
-}
-
-static float dots(const struct page_view *v, float length)
-{
-    return length * v->zoom * v->stage->dots;
 }
 
 /* ---- what a page is made of ------------------------------------------------------------------------- */
@@ -170,8 +174,11 @@ static void word(const struct page_view *v, struct point2 at, float width, float
                  const char *text)
 {
     struct point2 q = dot(v, (struct point2){at.x, at.y + height});
-    canvas_text_antialiased(&v->canvas, q.x, q.y, dots(v, width), dots(v, height), v->ramp,
-                            PAGE_SHADES, text);
+    if (width == BODY_WIDTH && text_shades_fit(v->body->width, v->body->height))
+        canvas_text_shades(&v->canvas, v->body, q.x, q.y, text);
+    else
+        canvas_text_antialiased(&v->canvas, q.x, q.y, dots(v, width), dots(v, height), v->ramp,
+                                PAGE_SHADES, text);
     vector_word(v, at, width, height, text);
 }
 

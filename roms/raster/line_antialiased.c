@@ -63,26 +63,35 @@ static bool begin_on(const struct canvas *c, struct line_antialiased *l, float x
            line_antialiased_begin(l, a.x, a.y, b.x, b.y);
 }
 
+/* Whether all pixels of the column are on the canvas. */
+static inline bool column_inside(const struct canvas *c, const struct antialiased_column *k)
+{
+    int width = k->steep ? c->height : c->width, height = k->steep ? c->width : c->height;
+    return (unsigned)k->along < (unsigned)width && k->across >= 0 &&
+           k->across + ANTIALIASED_PIXELS <= height;
+}
+
 /* ---- into a ramp ---------------------------------------------------------------------------------- */
 
 struct shades {
     const uint32_t *ramp;
     uint32_t lowest, span; /* of its values, when they ascend */
-    int levels;
+    uint32_t scale;        /* coverage to its entries, 16 bits behind the point */
 };
 
-static inline uint32_t shade(const struct shades *s, int coverage)
+static inline uint32_t shade(const struct shades *s, uint32_t coverage)
 {
-    return s->ramp[(coverage * (s->levels - 1) + 127) / 255];
+    return s->ramp[(coverage * s->scale + 32768) >> 16];
 }
 
 /* Whether the old value is a lighter one of the ramp. */
 static inline bool lighter(const struct shades *s, uint32_t old, uint32_t value)
 {
-    return old - s->lowest <= s->span && old > value;
+    return old > value && old - s->lowest <= s->span;
 }
 
-static void ramp_pixel(const struct canvas *c, const struct shades *s, int x, int y, int coverage)
+static void ramp_pixel(const struct canvas *c, const struct shades *s, int x, int y,
+                       uint32_t coverage)
 {
     if (coverage == 0 || !canvas_holds(c, x, y))
         return;
@@ -91,22 +100,21 @@ static void ramp_pixel(const struct canvas *c, const struct shades *s, int x, in
         canvas_dot(c, x, y, value);
 }
 
-/* Pixels of bytes, one `step` bytes after the other. */
-static void ramp_bytes(uint8_t *at, uint32_t step, const struct shades *s,
-                       const struct antialiased_column *k)
+static inline void ramp_byte(uint8_t *at, const struct shades *s, uint32_t coverage)
 {
-    for (int i = 0; i < ANTIALIASED_PIXELS; i++, at += step) {
-        uint32_t value = shade(s, k->coverage[i]);
-        if (k->coverage[i] != 0 && !lighter(s, *at, value))
-            *at = (uint8_t)value;
-    }
+    uint32_t value = shade(s, coverage);
+    if (coverage != 0 && !lighter(s, *at, value))
+        *at = (uint8_t)value;
 }
 
-static bool column_inside(const struct canvas *c, const struct antialiased_column *k)
+/* Pixels of bytes, one `step` bytes after the other. */
+static inline void ramp_bytes(uint8_t *at, uint32_t step, const struct shades *s,
+                              const struct antialiased_column *k)
 {
-    int width = k->steep ? c->height : c->width, height = k->steep ? c->width : c->height;
-    return k->along >= 0 && k->along < width && k->across >= 0 &&
-           k->across + ANTIALIASED_PIXELS <= height;
+    ramp_byte(at, s, k->coverage[0]);
+    ramp_byte(at + step, s, k->coverage[1]);
+    ramp_byte(at + 2 * step, s, k->coverage[2]);
+    ramp_byte(at + 3 * step, s, k->coverage[3]);
 }
 
 void canvas_line_antialiased(const struct canvas *c, float x0, float y0, float x1, float y1,
@@ -114,11 +122,11 @@ void canvas_line_antialiased(const struct canvas *c, float x0, float y0, float x
 {
     struct line_antialiased line;
     struct antialiased_column k;
-    if (levels < 2 || !begin_on(c, &line, x0, y0, x1, y1))
+    if (levels < 2 || levels > 256 || !begin_on(c, &line, x0, y0, x1, y1))
         return;
-    struct shades s = {ramp, ramp[0], ramp[levels - 1] - ramp[0], levels};
-    if (ramp[levels - 1] < ramp[0])
-        s.span = 0;
+    uint32_t last = (uint32_t)levels - 1;
+    struct shades s = {ramp, ramp[0], ramp[last] >= ramp[0] ? ramp[last] - ramp[0] : 0,
+                       (last * 65536 + 127) / 255};
     while (line_antialiased_next(&line, &k)) {
         int x = k.steep ? k.across : k.along, y = k.steep ? k.along : k.across;
         if (c->bits == 8 && column_inside(c, &k)) {
@@ -138,14 +146,44 @@ static inline uint32_t mixed(uint32_t old, uint32_t new, uint32_t mask, uint32_t
     return ((old & mask) * ((1u << bits) - part) + (new &mask) * part) >> bits & mask;
 }
 
-static inline uint32_t blend(unsigned bits, uint32_t old, uint32_t new, int coverage)
+static inline uint32_t blend_32(uint32_t old, uint32_t new, uint32_t coverage)
 {
-    uint32_t part = (uint32_t)(coverage + (coverage >> 7)); /* 256 is all */
-    if (bits == 32)
-        return mixed(old, new, 0x00FF00FF, part, 8) | mixed(old >> 8, new >> 8, 0x00FF00FF, part, 8)
-                                                          << 8;
-    part = (part + 4) / 8;
+    uint32_t part = coverage + (coverage >> 7); /* 256 is all */
+    return mixed(old, new, 0x00FF00FF, part, 8) | mixed(old >> 8, new >> 8, 0x00FF00FF, part, 8)
+                                                      << 8;
+}
+
+static inline uint32_t blend_16(uint32_t old, uint32_t new, uint32_t coverage)
+{
+    uint32_t part = (coverage + (coverage >> 7) + 4) / 8; /* 32 is all */
     return mixed(old, new, 0xF81F, part, 5) | mixed(old, new, 0x07E0, part, 5);
+}
+
+static void blend_pixel(const struct canvas *c, int x, int y, uint32_t colour, uint32_t coverage)
+{
+    if (coverage == 0 || !canvas_holds(c, x, y))
+        return;
+    uint8_t *at = c->pixels + (uint32_t)y * c->pitch + (uint32_t)x * (c->bits / 8);
+    if (c->bits == 32)
+        *(uint32_t *)(void *)at = blend_32(*(uint32_t *)(void *)at, colour, coverage);
+    else
+        *(uint16_t *)(void *)at = (uint16_t)blend_16(*(uint16_t *)(void *)at, colour, coverage);
+}
+
+static inline void blend_word(uint8_t *at, uint32_t colour, uint32_t coverage)
+{
+    if (coverage != 0)
+        *(uint32_t *)(void *)at = blend_32(*(uint32_t *)(void *)at, colour, coverage);
+}
+
+/* Pixels of words, one `step` bytes after the other. */
+static inline void blend_words(uint8_t *at, uint32_t step, uint32_t colour,
+                               const struct antialiased_column *k)
+{
+    blend_word(at, colour, k->coverage[0]);
+    blend_word(at + step, colour, k->coverage[1]);
+    blend_word(at + 2 * step, colour, k->coverage[2]);
+    blend_word(at + 3 * step, colour, k->coverage[3]);
 }
 
 void canvas_line_blended(const struct canvas *c, float x0, float y0, float x1, float y1,
@@ -156,10 +194,13 @@ void canvas_line_blended(const struct canvas *c, float x0, float y0, float x1, f
     if (c->bits < 16 || !begin_on(c, &line, x0, y0, x1, y1))
         return;
     while (line_antialiased_next(&line, &k)) {
-        for (int i = 0; i < ANTIALIASED_PIXELS; i++) {
-            int x = k.steep ? k.across + i : k.along, y = k.steep ? k.along : k.across + i;
-            if (k.coverage[i] != 0 && canvas_holds(c, x, y))
-                canvas_dot(c, x, y, blend(c->bits, canvas_pixel(c, x, y), colour, k.coverage[i]));
+        int x = k.steep ? k.across : k.along, y = k.steep ? k.along : k.across;
+        if (c->bits == 32 && column_inside(c, &k)) {
+            blend_words(c->pixels + (uint32_t)y * c->pitch + 4 * (uint32_t)x,
+                        k.steep ? 4 : c->pitch, colour, &k);
+            continue;
         }
+        for (int i = 0; i < ANTIALIASED_PIXELS; i++)
+            blend_pixel(c, k.steep ? x + i : x, k.steep ? y : y + i, colour, k.coverage[i]);
     }
 }

@@ -63,20 +63,22 @@ static inline bool line_antialiased_next(struct line_antialiased *l, struct anti
     if (l->along > l->last)
         return false;
     int32_t cosine = l->cosine, from = ((l->minor & 0xFFFF) >> 4) * cosine >> 12;
-    int32_t part = 256;
     out->along = l->along;
     out->across = (l->minor >> 16) - 1;
     out->steep = l->steep;
-    const int32_t d[ANTIALIASED_PIXELS] = {from + cosine, from, cosine - from, 2 * cosine - from};
-    if (l->first) {
-        part = l->part_first;
+    out->distance[0] = (int)((from + cosine) >> 6);
+    out->distance[1] = (int)(from >> 6);
+    out->distance[2] = (int)((cosine - from) >> 6);
+    out->distance[3] = (int)((2 * cosine - from) >> 6);
+    out->coverage[0] = antialiased_coverage[out->distance[0]];
+    out->coverage[1] = antialiased_coverage[out->distance[1]];
+    out->coverage[2] = antialiased_coverage[out->distance[2]];
+    out->coverage[3] = antialiased_coverage[out->distance[3]];
+    if (l->along == l->last || l->first) {
+        int32_t part = l->first ? l->part_first : l->part_last;
+        for (int i = 0; i < ANTIALIASED_PIXELS; i++)
+            out->coverage[i] = (uint8_t)(out->coverage[i] * part >> 8);
         l->first = false;
-    } else if (l->along == l->last) {
-        part = l->part_last;
-    }
-    for (int i = 0; i < ANTIALIASED_PIXELS; i++) {
-        out->distance[i] = (int)(d[i] >> 6);
-        out->coverage[i] = (uint8_t)((int32_t)antialiased_coverage[d[i] >> 6] * part >> 8);
     }
     l->along++;
     l->minor += l->slope;

@@ -95,6 +95,17 @@ static void sort_edges(struct polygon_fill *f)
     f->sorted = true;
 }
 
+/* To where it crosses the next row. */
+static inline void move_edge(struct polygon_edge *e)
+{
+    e->x += e->step_x;
+    e->over += e->step_over;
+    if (e->over >= e->height) {
+        e->over -= e->height;
+        e->x--;
+    }
+}
+
 /* Removes edges that end above the row, moves the others to where they cross it. */
 static void advance(struct polygon_fill *f)
 {
@@ -103,12 +114,7 @@ static void advance(struct polygon_fill *f)
         struct polygon_edge *e = &f->edge[f->active[i]];
         if (e->last < f->y)
             continue;
-        e->x += e->step_x;
-        e->over += e->step_over;
-        if (e->over >= e->height) {
-            e->over -= e->height;
-            e->x--;
-        }
+        move_edge(e);
         f->active[kept++] = f->active[i];
     }
     f->active_count = kept;
@@ -145,12 +151,89 @@ bool polygon_fill_row(struct polygon_fill *f)
     return true;
 }
 
+/* Bytes from `at` to `end`, in words where there are whole ones. */
+static inline void run_of_bytes(uint8_t *at, uint8_t *end, uint32_t word)
+{
+    if (end - at >= 8) {
+        for (; ((uintptr_t)at & 3) != 0; at++)
+            *at = (uint8_t)word;
+        uint32_t *words = (uint32_t *)(void *)at;
+        for (; end - (uint8_t *)words >= 32; words += 8) {
+            words[0] = words[1] = words[2] = words[3] = word;
+            words[4] = words[5] = words[6] = words[7] = word;
+        }
+        for (; end - (uint8_t *)words >= 4; words++)
+            *words = word;
+        at = (uint8_t *)words;
+    }
+    for (; at < end; at++)
+        *at = (uint8_t)word;
+}
+
+static inline void run_of_words(uint32_t *at, uint32_t *end, uint32_t word)
+{
+    for (; end - at >= 8; at += 8) {
+        at[0] = at[1] = at[2] = at[3] = word;
+        at[4] = at[5] = at[6] = at[7] = word;
+    }
+    for (; at < end; at++)
+        *at = word;
+}
+
+/* Where runs go: the commonest formats without what canvas_fill has to ask for each. */
+struct filler {
+    const struct canvas *c;
+    uint32_t colour, word; /* the word: of bytes */
+};
+
+static inline void run_of(const struct filler *k, int x0, int x1, int y)
+{
+    const struct canvas *c = k->c;
+    uint8_t *row = c->pixels + (uint32_t)y * c->pitch;
+    x0 = x0 > 0 ? x0 : 0;
+    x1 = x1 < c->width ? x1 : c->width;
+    if (x0 >= x1)
+        return;
+    if (c->bits == 8)
+        run_of_bytes(row + x0, row + x1, k->word);
+    else if (c->bits == 32)
+        run_of_words((uint32_t *)(void *)row + x0, (uint32_t *)(void *)row + x1, k->colour);
+    else
+        canvas_fill(c, x0, y, x1 - x0, 1, k->colour);
+}
+
+/* Rows that the same two edges cross, from the present one on: by either rule what lies between. */
+static void run_pair(const struct filler *k, struct polygon_fill *f)
+{
+    struct polygon_edge *left = &f->edge[f->active[0]], *right = &f->edge[f->active[1]];
+    struct polygon_edge a = *left, b = *right;
+    int last = a.last < b.last ? a.last : b.last, y = f->y;
+    if (f->waiting < f->count && f->edge[f->waiting].first <= last)
+        last = f->edge[f->waiting].first - 1;
+    for (;; y++) {
+        int x0 = polygon_pixel(a.x), x1 = polygon_pixel(b.x);
+        run_of(k, x0 < x1 ? x0 : x1, x0 < x1 ? x1 : x0, y);
+        if (y == last)
+            break;
+        move_edge(&a);
+        move_edge(&b);
+    }
+    f->y = y;
+    left->x = a.x, left->over = a.over;
+    right->x = b.x, right->over = b.over;
+}
+
 static void fill_runs(const struct canvas *c, struct polygon_fill *f, uint32_t colour)
 {
+    const struct filler k = {c, colour, (colour & 0xFF) * 0x01010101};
     struct polygon_run run;
-    while (polygon_fill_row(f))
-        while (polygon_fill_run(f, &run))
-            canvas_fill(c, run.x0, f->y, run.x1 - run.x0, 1, colour);
+    while (polygon_fill_row(f)) {
+        if (f->active_count == 2)
+            run_pair(&k, f);
+        else
+            while (polygon_fill_run(f, &run))
+                run_of(&k, run.x0, run.x1, f->y);
+    }
 }
 
 void canvas_polygons(const struct canvas *c, const struct point2 *p, const int *counts,

@@ -49,16 +49,17 @@ struct polygon_edge {
     struct point2 a, b;        /* as it was given, for those who show it */
 };
 
+/* What changes stands first: the processor reaches it without computing where it is. */
 struct polygon_fill {
-    struct polygon_edge edge[POLYGON_CORNERS]; /* by first row, once polygon_fill_row was called */
-    uint8_t active[POLYGON_CORNERS];           /* edges that cross row y, from left to right */
-    int count, waiting;                        /* edges; the next one to become active */
+    int count, waiting; /* edges; the next one to become active */
     int active_count;
     int y;            /* the row that is being done */
     int top, bottom;  /* rows wanted */
     int next, inside; /* runs of the row: the next active edge; the rule's counter before it */
     enum polygon_rule rule;
     bool sorted;
+    uint8_t active[POLYGON_CORNERS];           /* edges that cross row y, from left to right */
+    struct polygon_edge edge[POLYGON_CORNERS]; /* by first row, once polygon_fill_row was called */
 };
 
 /* Pixels x0…x1 − 1 of a row. */
@@ -73,10 +74,10 @@ bool polygon_fill_contour(struct polygon_fill *f, const struct point2 *corners, 
 /* The next row that edges cross; false: there is none left. */
 bool polygon_fill_row(struct polygon_fill *f);
 
-/* The first pixel on or to the right of an active edge. */
-static inline int polygon_fill_pixel(const struct polygon_fill *f, int active)
+/* The first pixel on or to the right of a place in 1/64 pixel. */
+static inline int polygon_pixel(int32_t x)
 {
-    return (f->edge[f->active[active]].x + (POLYGON_PARTS - 1)) >> 6;
+    return (x + (POLYGON_PARTS - 1)) >> 6;
 }
 
 /* The next run of the row, which has pixels; false: there is none left. */
@@ -88,8 +89,8 @@ static inline bool polygon_fill_run(struct polygon_fill *f, struct polygon_run *
             f->rule == POLYGON_EVEN_ODD ? !f->inside : f->inside + f->edge[f->active[i]].winding;
         if (!f->inside)
             continue;
-        run->x0 = polygon_fill_pixel(f, i);
-        run->x1 = polygon_fill_pixel(f, i + 1);
+        run->x0 = polygon_pixel(f->edge[f->active[i]].x);
+        run->x1 = polygon_pixel(f->edge[f->active[i + 1]].x);
         if (run->x0 < run->x1)
             return true;
     }

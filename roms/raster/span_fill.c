@@ -12,23 +12,46 @@ static inline bool inside(const struct span_fill *f, int x, int y)
     return is_inside(f, canvas_pixel(f->canvas, x, y));
 }
 
+/* Stretches of equal pixels are passed a word at a time: only their first one is looked at. */
+static int look_bytes(const struct span_fill *f, const uint8_t *row, int x, int end, bool wanted)
+{
+    while (x < end) {
+        uint32_t value = row[x], word = value * 0x01010101;
+        if (is_inside(f, value) == wanted)
+            return x;
+        while (x < end && row[x] == value) {
+            x++;
+            while (((uintptr_t)(row + x) & 3) == 0 && x + 4 <= end &&
+                   *(const uint32_t *)(const void *)(row + x) == word)
+                x += 4;
+        }
+    }
+    return end;
+}
+
+static int look_words(const struct span_fill *f, const uint32_t *row, int x, int end, bool wanted)
+{
+    while (x < end) {
+        uint32_t value = row[x];
+        if (is_inside(f, value) == wanted)
+            return x;
+        while (x < end && row[x] == value)
+            x++;
+    }
+    return end;
+}
+
 /* The first pixel from x on, of those before `end`, that is inside or is not. */
 static int look(const struct span_fill *f, int x, int end, int y, bool wanted)
 {
     const struct canvas *c = f->canvas;
-    if (c->bits != 8) {
-        while (x < end && inside(f, x, y) != wanted)
-            x++;
-        return x;
-    }
     const uint8_t *row = c->pixels + (uint32_t)y * c->pitch;
-    uint32_t limit = f->limit, colour = f->colour;
-    if (f->of_limit)
-        while (x < end && (row[x] == limit) != wanted)
-            x++;
-    else
-        while (x < end && (row[x] != limit && row[x] != colour) != wanted)
-            x++;
+    if (c->bits == 8)
+        return look_bytes(f, row, x, end, wanted);
+    if (c->bits == 32)
+        return look_words(f, (const uint32_t *)(const void *)row, x, end, wanted);
+    while (x < end && inside(f, x, y) != wanted)
+        x++;
     return x;
 }
 

@@ -19,6 +19,7 @@
 #include "roms/raster/line_dashed.c"
 #include "roms/raster/line_thick.c"
 #include "roms/raster/polygon_fill.c"
+#include "roms/raster/text_antialiased.c"
 #include "roms/raster/text_turned.c"
 
 enum { WIDTH = 128, HEIGHT = 96 };
@@ -168,14 +169,14 @@ static void blending_mixes_each_primary(void **state)
     (void)state;
     for (int i = 0; i < 20000; i++) {
         uint32_t old = random_below(0x1000000), new = random_below(0x1000000);
-        int coverage = (int)random_below(256);
-        uint32_t mixture = blend(32, old, new, coverage);
+        uint32_t coverage = random_below(256);
+        uint32_t mixture = blend_32(old, new, coverage);
         for (int shift = 0; shift < 24; shift += 8) {
             double a = old >> shift & 255, b = new >> shift & 255;
             assert_true(fabs((mixture >> shift & 255) - (a + (b - a) * coverage / 255.0)) < 2);
         }
         old &= 0xFFFF, new &= 0xFFFF;
-        mixture = blend(16, old, new, coverage);
+        mixture = blend_16(old, new, coverage);
         for (int n = 0; n < 3; n++) {
             static const int at[] = {0, 5, 11}, most[] = {31, 63, 31};
             double a = (int)(old >> at[n]) & most[n], b = (int)(new >> at[n]) & most[n];
@@ -404,6 +405,66 @@ static void turned_text_is_the_font(void **state)
     }
 }
 
+/* Each pixel is as dark as the dots of the font that fall upon it, counted in small squares. */
+static void small_text_is_covered_pixels(void **state)
+{
+    (void)state;
+    enum { PARTS = 24, LEVELS = 256 };
+    static uint32_t ramp[LEVELS];
+    for (int i = 0; i < LEVELS; i++)
+        ramp[i] = (uint32_t)i;
+    for (int round = 0; round < 60; round++) {
+        struct canvas c = canvas_of(8);
+        float width = random_within(2, 12), height = random_within(3, 16);
+        float x0 = random_within(-6, 120), y0 = random_within(-6, 90);
+        const char text[2] = {(char)(33 + random_below(94)), '\0'};
+        canvas_text_antialiased(&c, x0, y0, width, height, ramp, LEVELS, text);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                int lit = 0;
+                bool far = x + 1 < x0 || x > x0 + width || y + 1 < y0 || y > y0 + height;
+                for (int i = 0; !far && i < PARTS * PARTS; i++) {
+                    double u = (x + (i % PARTS + 0.5) / PARTS - x0) * FONT_WIDTH / width;
+                    double v = (y + (i / PARTS + 0.5) / PARTS - y0) * FONT_HEIGHT / height;
+                    if (u >= 0 && v >= 0 && u < FONT_WIDTH && v < FONT_HEIGHT)
+                        lit += font_row(text[0], (int)v) >> (7 - (int)u) & 1;
+                }
+                double covered = 255.0 * lit / PARTS / PARTS;
+                assert_true(fabs(canvas_pixel(&c, x, y) - covered) < 255 * 0.06);
+            }
+    }
+}
+
+/* Kept characters are those that are drawn at whole pixels, cut off at the canvas's edges. */
+static void kept_text_is_the_same(void **state)
+{
+    (void)state;
+    static struct text_shades shades;
+    static uint32_t ramp[20];
+    static uint8_t model[HEIGHT][WIDTH];
+    for (int i = 0; i < 20; i++)
+        ramp[i] = 100 + (uint32_t)i;
+    for (int round = 0; round < 400; round++) {
+        struct canvas c = canvas_of(8);
+        float width = random_within(2, 16), height = random_within(3, 24);
+        int x = (int)random_below(140) - 10, y = (int)random_below(120) - 12;
+        char text[2] = {(char)(33 + random_below(94)), '\0'};
+        canvas_clear(&c, 100);
+        canvas_text_antialiased(&c, (float)x, (float)y, width, height, ramp, 20, text);
+        for (int py = 0; py < HEIGHT; py++)
+            for (int px = 0; px < WIDTH; px++)
+                model[py][px] = (uint8_t)canvas_pixel(&c, px, py);
+        for (int again = 0; again < 2; again++) {
+            canvas_clear(&c, 100);
+            text_shades_begin(&shades, width, height, ramp, 20);
+            canvas_text_shades(&c, &shades, (float)x, (float)y, text);
+            for (int py = 0; py < HEIGHT; py++)
+                for (int px = 0; px < WIDTH; px++)
+                    assert_int_equal(canvas_pixel(&c, px, py), model[py][px]);
+        }
+    }
+}
+
 /* ---- dithering ------------------------------------------------------------------------------------- */
 
 /* D(2n) from D(n), as Bayer builds it. */
@@ -509,6 +570,8 @@ int main(void)
         cmocka_unit_test(joins_are_mitered_or_bevelled),
         cmocka_unit_test(lines_of_no_length_are_their_caps),
         cmocka_unit_test(turned_text_is_the_font),
+        cmocka_unit_test(small_text_is_covered_pixels),
+        cmocka_unit_test(kept_text_is_the_same),
         cmocka_unit_test(matrices_are_bayers),
         cmocka_unit_test(ordered_dithering_keeps_the_mean),
         cmocka_unit_test(diffusion_keeps_the_mean),
