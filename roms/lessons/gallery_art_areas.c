@@ -1,5 +1,5 @@
-/* gallery_art_areas.c — whirls: triangles in triangles, each turned a little; a kaleidoscope: shards between
- * two mirrors, seen twelve times. */
+/* gallery_art_areas.c — whirls: triangles in triangles, each turned a little; a kaleidoscope: shards
+ * between two mirrors, seen twelve times. */
 #include <math.h>
 #include <stdbool.h>
 

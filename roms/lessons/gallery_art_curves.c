@@ -5,7 +5,7 @@
 #include "roms/lessons/gallery_art.h"
 #include "roms/raster/line_antialiased.h"
 
-enum { POINTS = 180, CURVES = 15, VECTOR_CURVES = 5 };
+enum { POINTS = 150, CURVES = 12, VECTOR_CURVES = 6 };
 
 /* One turn. */
 struct circle {

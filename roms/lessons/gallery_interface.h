@@ -6,8 +6,8 @@
  *      │ ≡ └────────┤  ∿∿∿∿     │      │     window (to the front), icon (opens)
  *      └────────────┴───────────┴──────┘
  *
- * Models:     overlapping windows in an order; picking from the front; hidden parts are painted over on the
- *             raster head and cut out of every line on the vector head.
+ * Models:     overlapping windows in an order; picking from the front; hidden parts are painted
+ *             over on the raster head and cut out of every line on the vector head.
  * Units:      stage units.
  */
 #ifndef ROMS_LESSONS_GALLERY_INTERFACE_H

@@ -17,11 +17,13 @@ struct point2 plot_canvas(const struct stage *s, struct point2 p)
 
 void plot_polyline(struct stage *s, const struct point2 *p, int count, float width, enum ink ink)
 {
-    const struct line_style style = {width, CAP_ROUND, JOIN_BEVEL};
-    for (int i = 1; i < count; i++) {
-        struct point2 q[2] = {plot_canvas(s, p[i - 1]), plot_canvas(s, p[i])};
-        canvas_line_thick(&s->canvas, q, 2, false, &style, ink);
-    }
+    enum { MOST = 160 };
+    const struct line_style style = {width, CAP_BUTT, JOIN_BEVEL};
+    struct point2 q[MOST];
+    count = count < MOST ? count : MOST;
+    for (int i = 0; i < count; i++)
+        q[i] = plot_canvas(s, p[i]);
+    canvas_line_thick(&s->canvas, q, count, false, &style, ink);
     stage_heads(s, STAGE_VECTOR);
     stage_ink(s, ink);
     stage_polyline(s, p, count);

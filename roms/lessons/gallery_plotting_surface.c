@@ -8,7 +8,7 @@
 #include "roms/lessons/gallery_plotting.h"
 #include "roms/raster/polygon_fill.h"
 
-enum { ROWS = 30, COLUMNS = 44, HORIZON = STAGE_WIDTH / 2 + 1 };
+enum { ROWS = 28, COLUMNS = 38, HORIZON = STAGE_WIDTH / 2 + 1 };
 
 struct surface {
     struct point2 at[ROWS][COLUMNS]; /* stage units; row 0 is in front */
@@ -54,11 +54,13 @@ static uint32_t shade(const struct surface *s, int j, int i)
 
 static void draw_raster(struct stage *stage, const struct surface *s)
 {
+    static struct point2 q[ROWS][COLUMNS];
+    for (int j = 0; j < ROWS; j++)
+        for (int i = 0; i < COLUMNS; i++)
+            q[j][i] = plot_canvas(stage, s->at[j][i]);
     for (int j = ROWS - 2; j >= 0; j--)
         for (int i = 0; i + 1 < COLUMNS; i++) {
-            struct point2 p[4] = {
-                plot_canvas(stage, s->at[j][i]), plot_canvas(stage, s->at[j][i + 1]),
-                plot_canvas(stage, s->at[j + 1][i + 1]), plot_canvas(stage, s->at[j + 1][i])};
+            const struct point2 p[4] = {q[j][i], q[j][i + 1], q[j + 1][i + 1], q[j + 1][i]};
             canvas_polygon(&stage->canvas, p, 4, POLYGON_NON_ZERO, shade(s, j, i));
         }
 }

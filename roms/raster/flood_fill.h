@@ -4,11 +4,11 @@
  *      ▒░░s▒▒      whatever colours the boundary has
  *      ░▒▒▒░░
  *
- * Models:     the flood fill algorithm, by spans (span_fill.h), connected by edges (4) or by edges and
- *             corners (8).
+ * Models:     the flood fill algorithm, by spans (span_fill.h), connected by edges (4) or by edges
+ *             and corners (8).
  * Cost, Domain, Units, Ownership: span_fill.h.
- * Errors:     a stack that was too small: false; part of the area was not filled. Where the seed has the
- *             new colour already there is nothing to do.
+ * Errors:     a stack that was too small: false; part of the area was not filled. Where the seed
+ *             has the new colour already there is nothing to do.
  * Source:     D. Hearn, M. P. Baker, Computer Graphics (1986), section 4-5; spans: span_fill.h.
  */
 #ifndef ROMS_RASTER_FLOOD_FILL_H

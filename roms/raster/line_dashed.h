@@ -5,7 +5,7 @@
  *                     ╹        is drawn behind it
  *
  * Models:     Bresenham's pixels, each on or off by its distance from where the pattern began.
- * Cost:       about 12 instructions a pixel, and those of canvas_dot where it is on.
+ * Cost:       about 35 instructions a pixel, and those of canvas_dot where it is on.
  * Domain:     coordinates of at most 30000; lengths 1…255.
  * Units:      pixels of the canvas.
  * Ownership:  the pattern is the caller's; the phase, too: it goes from line to line.

@@ -6,15 +6,16 @@
  *      below │s       │
  *            └────────┘
  *
- * Models:     what boundary_fill.h and flood_fill.h have in common: connection by edges (4) or by edges
- *             and corners (8), a stack of seeds of limited size.
- * Cost:       pixels of 8 bits: about 20 instructions each, 17 of them looking at the rows above and
- *             below; other formats about 40.
+ * Models:     what boundary_fill.h and flood_fill.h have in common: connection by edges (4) or by
+ *             edges and corners (8), a stack of seeds of limited size.
+ * Cost:       an open area: 8 instructions a pixel of 8 bits, 17 of 32, nearly all of them looking
+ *             at the rows above and below; with every twentieth pixel an obstacle 45; other formats
+ *             about 40 more.
  * Domain:     canvases of at most 32767 by 32767.
  * Units:      pixels of the canvas; y downwards.
  * Ownership:  the canvas and the stack are the caller's and must outlive it.
- * Errors:     a seed outside the canvas fills nothing. Seeds that find no room are counted in `dropped`:
- *             then what hung on them was not filled.
+ * Errors:     a seed outside the canvas fills nothing. Seeds that find no room are counted in
+ *             `dropped`: then what hung on them was not filled.
  * Source:     A. R. Smith, Tint Fill, Computer Graphics 13 (SIGGRAPH 1979) 276.
  */
 #ifndef ROMS_RASTER_SPAN_FILL_H

@@ -4,14 +4,15 @@
  *      ▓░▒▓
  *
  * Models:     the font of font.h, each dot a rectangle, seen through a box as wide as a pixel.
- * Cost:       a character of 4 by 7 pixels about 4500 instructions, of 8 by 12 about 7000; when kept, 250
- *             and 700.
+ * Cost:       a character of 4 by 7 pixels about 4500 instructions, of 8 by 12 about 7000; when
+ *             kept, 250 and 700.
  * Domain:     cells from 2 by 3 pixels up to 16 times the font's; beyond nothing is drawn.
  * Units:      pixels of the canvas; a pixel's upper left corner is a whole number.
  * Ownership:  the ramp is the caller's.
- * Errors:     none; what lies outside the canvas is left out; a ramp of fewer than 2 values draws nothing.
- * Source:     E. Catmull, A Hidden-Surface Algorithm with Anti-Aliasing, Computer Graphics 12 (SIGGRAPH
- *             1978) 6, for the box.
+ * Errors:     none; what lies outside the canvas is left out; a ramp of fewer than 2 values draws
+ *             nothing.
+ * Source:     E. Catmull, A Hidden-Surface Algorithm with Anti-Aliasing, Computer Graphics 12
+ *             (SIGGRAPH 1978) 6, for the box.
  * Not modelled: what was there: the ramp's first value is the ground's, and is not drawn.
  */
 #ifndef ROMS_RASTER_TEXT_ANTIALIASED_H
