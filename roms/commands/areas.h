@@ -1,4 +1,5 @@
-/* areas.h — what the commands about areas and attributes share: private to roms/commands/areas*.c. */
+/* areas.h — what the commands about areas and attributes share: private to
+ * roms/commands/areas*.c. */
 #ifndef ROMS_COMMANDS_AREAS_H
 #define ROMS_COMMANDS_AREAS_H
 

@@ -1,4 +1,5 @@
-/* areas.c — filling: a polygon by its active edges, the two rules, from a seed; attributes of lines. */
+/* areas.c — filling: a polygon by its active edges, the two rules, from a seed; attributes of
+ * lines. */
 #include "roms/lessons/areas.h"
 
 #include "roms/lessons/lesson.h"

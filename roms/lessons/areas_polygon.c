@@ -8,7 +8,7 @@
 
 static const float pi = 3.14159265f;
 
-/* ---- scan lines ------------------------------------------------------------------------------------- */
+/* ---- scan lines ------------------------------------------------------------------------------ */
 
 enum { CORNERS = 9, RIGHT = 26, TOP = 17 };
 
@@ -96,7 +96,7 @@ void areas_scan_lines(struct stage *s, float seconds)
                      "by dx/dy.");
 }
 
-/* ---- the rules -------------------------------------------------------------------------------------- */
+/* ---- the rules ------------------------------------------------------------------------------- */
 
 /* A star of so many points, each joined with that `skip` further on. */
 static int star(struct point2 *p, int points, int skip, float x, float y, float r, float turn)

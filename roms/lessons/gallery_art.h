@@ -12,7 +12,8 @@ void art_whirls(struct stage *stage, float seconds);
 void art_kaleidoscope(struct stage *stage, float seconds);
 void art_lettering(struct stage *stage, float seconds);
 
-/* An area of up to 16 corners: filled with a pixel value on the raster head, an outline on the other. */
+/* An area of up to 16 corners: filled with a pixel value on the raster head, an outline on the
+ * other. */
 void art_area(struct stage *stage, const struct point2 *points, int count, uint32_t colour,
               enum ink vector);
 

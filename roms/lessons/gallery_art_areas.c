@@ -1,5 +1,5 @@
-/* gallery_art_areas.c — whirls: triangles in triangles, each turned a little; a kaleidoscope: shards
- * between two mirrors, seen twelve times. */
+/* gallery_art_areas.c — whirls: triangles in triangles, each turned a little; a kaleidoscope:
+ * shards between two mirrors, seen twelve times. */
 #include <math.h>
 #include <stdbool.h>
 
@@ -18,7 +18,7 @@ static struct point2 between(struct point2 a, struct point2 b, float t)
     return (struct point2){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
 }
 
-/* ---- whirls ----------------------------------------------------------------------------------------- */
+/* ---- whirls ---------------------------------------------------------------------------------- */
 
 /* Triangles whose corners go along the edges of the one before. */
 static void whirl(struct stage *s, const struct point2 *corners, float step, bool left,
@@ -51,11 +51,12 @@ void art_whirls(struct stage *s, float seconds)
         s, "Triangles in triangles: every corner a little further along the next one's edge.");
 }
 
-/* ---- kaleidoscope ----------------------------------------------------------------------------------- */
+/* ---- kaleidoscope ---------------------------------------------------------------------------- */
 
 enum { SHARDS = 10, CORNERS = 4, CUT = CORNERS + 2, MIRRORS = 6 };
 
-/* Cuts off what is to the right of the ray at this angle (or to the left); how many corners remain. */
+/* Cuts off what is to the right of the ray at this angle (or to the left); how many corners
+ * remain. */
 static int cut(const struct point2 *p, int count, float angle, bool right, struct point2 *out)
 {
     int kept = 0;

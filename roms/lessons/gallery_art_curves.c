@@ -1,5 +1,6 @@
-/* gallery_art_curves.c — a guilloche, as on banknotes: families of closed curves of three circular
- * motions. Frequencies that are equal modulo the number of petals make the curve that often symmetric. */
+/* gallery_art_curves.c — a guilloche, as on banknotes: families of closed curves of three
+ * circular motions. Frequencies that are equal modulo the number of petals make the curve that
+ * often symmetric. */
 #include <math.h>
 
 #include "roms/lessons/gallery_art.h"

@@ -10,7 +10,7 @@ const char *const desk_menus[DESK_MENUS] = {"Open", "Window"};
 const char *const desk_items[DESK_MENUS][DESK_ITEMS] = {{"Clock", "Graph", "Notes", "Picture"},
                                                         {"Next", "Tile", "Cascade", "Close"}};
 
-/* ---- where things are ------------------------------------------------------------------------------- */
+/* ---- where things are ------------------------------------------------------------------------ */
 
 struct clip_window desk_window_area(const struct desk *d, int window)
 {
@@ -46,7 +46,7 @@ int desk_focus(const struct desk *d)
     return DESK_NONE;
 }
 
-/* ---- what can be done ------------------------------------------------------------------------------- */
+/* ---- what can be done ------------------------------------------------------------------------ */
 
 /* Puts a window in front of all (or behind them). */
 static void reorder(struct desk *d, int window, bool front)
@@ -183,7 +183,7 @@ static void move(struct desk *d, float x, float y)
     w->y = within(w->y + dy, 0, STAGE_HEIGHT - DESK_BAR - w->height);
 }
 
-/* ---- by itself -------------------------------------------------------------------------------------- */
+/* ---- by itself ------------------------------------------------------------------------------- */
 
 /* Where the pointer goes when nobody steers it; it clicks there. */
 static struct point2 goal_place(const struct desk *d, int goal)
@@ -216,7 +216,7 @@ static void wander(struct desk *d, float seconds)
     d->goal++;
 }
 
-/* ---- the program ------------------------------------------------------------------------------------ */
+/* ---- the program ----------------------------------------------------------------------------- */
 
 static void begin(void *state)
 {

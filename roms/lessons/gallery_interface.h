@@ -1,9 +1,9 @@
 /* gallery_interface.h — a desktop of windows; private to roms/lessons/gallery_interface*.c.
  *
  *      ┌ Open  Window ─────────────────┐     pointer: arrow keys, or by itself
- *      │ ◷ ┌─x─ Clock ─┐               │     click (space): what is in front at the pointer is picked:
- *      │ ∿ │    ◴   ┌─x┴ Graph ─┐      │     menu, title bar (drag until the next click), close box,
- *      │ ≡ └────────┤  ∿∿∿∿     │      │     window (to the front), icon (opens)
+ *      │ ◷ ┌─x─ Clock ─┐               │     click (space) picks what is in front there: menu,
+ *      │ ∿ │    ◴   ┌─x┴ Graph ─┐      │     title bar (drag until the next click), close
+ *      │ ≡ └────────┤  ∿∿∿∿     │      │     box, window (to the front), icon (opens)
  *      └────────────┴───────────┴──────┘
  *
  * Models:     overlapping windows in an order; picking from the front; hidden parts are painted

@@ -10,7 +10,8 @@ enum { COVERS = DESK_WINDOWS + 1, CHARACTER = 17 /* of the vector head, stage un
 
 static const float pi = 3.14159265f;
 
-/* Draws what one thing shows: within `clip`, and on the vector head not where things in front are. */
+/* Draws what one thing shows: within `clip`, and on the vector head not where things in front
+ * are. */
 struct painter {
     struct stage *stage;
     struct clip_window clip, cover[COVERS];
@@ -19,7 +20,7 @@ struct painter {
 
 static const struct clip_window everything = {0, 0, STAGE_WIDTH, STAGE_HEIGHT};
 
-/* ---- lines, areas, text ------------------------------------------------------------------------------ */
+/* ---- lines, areas, text ---------------------------------------------------------------------- */
 
 /* The parts of a line that covers from number k on leave. */
 static void uncovered(const struct painter *p, struct point2 a, struct point2 b, int k)
@@ -123,7 +124,7 @@ static void text(const struct painter *p, float x, float y, enum ink raster, enu
     stage_heads(p->stage, STAGE_BOTH);
 }
 
-/* ---- what the windows show --------------------------------------------------------------------------- */
+/* ---- what the windows show ------------------------------------------------------------------- */
 
 static void hand(const struct painter *p, struct point2 middle, float part, float length,
                  enum ink ink)
@@ -216,7 +217,7 @@ static void draw_content(const struct painter *p, int which, struct clip_window 
     contents[which](p, r, now);
 }
 
-/* ---- windows, icons, menus, pointer ------------------------------------------------------------------ */
+/* ---- windows, icons, menus, pointer ---------------------------------------------------------- */
 
 static void draw_window(const struct desk *d, struct painter *p, int which, bool focus)
 {

@@ -30,7 +30,7 @@ void plot_polyline(struct stage *s, const struct point2 *p, int count, float wid
     stage_heads(s, STAGE_BOTH);
 }
 
-/* ---- axes ------------------------------------------------------------------------------------------- */
+/* ---- axes ------------------------------------------------------------------------------------ */
 
 enum { LEFT = 90, RIGHT = 1150, BOTTOM = 90, TOP = 700 };
 
@@ -77,7 +77,7 @@ static void draw_axes(struct stage *s, const struct axes *a, const char *x_name,
     stage_text(s, LEFT, TOP + 30, y_name);
 }
 
-/* ---- lines: hares and lynxes ------------------------------------------------------------------------ */
+/* ---- lines: hares and lynxes ----------------------------------------------------------------- */
 
 struct animals {
     float hares, lynxes;
@@ -135,7 +135,7 @@ void plot_lines(struct stage *s, float seconds)
                      "hunters follow the hunted.");
 }
 
-/* ---- bars: sums of dice ----------------------------------------------------------------------------- */
+/* ---- bars: sums of dice ---------------------------------------------------------------------- */
 
 enum { DICE = 3, SUMS = 6 * DICE + 1 };
 
@@ -188,7 +188,7 @@ void plot_bars(struct stage *s, float seconds)
            "distribution.");
 }
 
-/* ---- pie: factors of numbers ------------------------------------------------------------------------- */
+/* ---- pie: factors of numbers ----------------------------------------------------------------- */
 
 enum { MOST = 1000, SLICES = 5 };
 
@@ -257,7 +257,7 @@ void plot_pie(struct stage *s, float seconds)
     stage_caption(s, "Numbers by how many prime factors they have: primes become rare.");
 }
 
-/* ---- the program ------------------------------------------------------------------------------------ */
+/* ---- the program ----------------------------------------------------------------------------- */
 
 static void begin(void *state)
 {

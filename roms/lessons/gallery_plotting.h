@@ -1,4 +1,4 @@
-/* gallery_plotting.h — the charts of the plotting program; private to roms/lessons/gallery_plotting*.c.
+/* gallery_plotting.h — the charts of the plotting program; private to gallery_plotting*.c.
  *
  * Each draws the whole picture, of data that it computes, for so many seconds after it began.
  */

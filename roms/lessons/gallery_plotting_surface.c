@@ -1,8 +1,8 @@
 /* gallery_plotting_surface.c — a function of two variables as a surface: shaded pixels from back to
  * front on the raster head, lines with a floating horizon on the vector head.
  *
- * Source: T. J. Wright, A Two-Space Solution to the Hidden Line Problem for Plotting Functions of Two
- *         Variables, IEEE Transactions on Computers C-22 (1973) 28, for the horizon. */
+ * Source: T. J. Wright, A Two-Space Solution to the Hidden Line Problem for Plotting Functions of
+ *         Two Variables, IEEE Transactions on Computers C-22 (1973) 28, for the horizon. */
 #include <math.h>
 
 #include "roms/lessons/gallery_plotting.h"
@@ -38,7 +38,7 @@ static void compute(struct surface *s, float t)
         }
 }
 
-/* ---- raster ----------------------------------------------------------------------------------------- */
+/* ---- raster ---------------------------------------------------------------------------------- */
 
 /* By how steep it rises to the left and toward the back. */
 static uint32_t shade(const struct surface *s, int j, int i)
@@ -65,7 +65,7 @@ static void draw_raster(struct stage *stage, const struct surface *s)
         }
 }
 
-/* ---- vector ----------------------------------------------------------------------------------------- */
+/* ---- vector ---------------------------------------------------------------------------------- */
 
 /* What lines in front hide: between low and high, by columns two units wide. */
 struct horizon {

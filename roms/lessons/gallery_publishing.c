@@ -1,5 +1,5 @@
-/* gallery_publishing.c — publishing: a page of headline, initial, justified columns, rules and a figure,
- * with a view that zooms. */
+/* gallery_publishing.c — publishing: a page of headline, initial, justified columns, rules and a
+ * figure, with a view that zooms. */
 #include "roms/lessons/gallery_publishing.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@ struct publishing {
 
 static const float whole = 0.7f, nearest = 4;
 
-/* ---- the tour --------------------------------------------------------------------------------------- */
+/* ---- the tour -------------------------------------------------------------------------------- */
 
 struct stop {
     struct point2 middle;
@@ -48,7 +48,7 @@ static void travel(struct publishing *p, float seconds)
     p->zoom = a->zoom * powf(b->zoom / a->zoom, t);
 }
 
-/* ---- the program ------------------------------------------------------------------------------------ */
+/* ---- the program ----------------------------------------------------------------------------- */
 
 static void begin(void *state)
 {

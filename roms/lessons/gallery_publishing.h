@@ -1,4 +1,4 @@
-/* gallery_publishing.h — a page, composed and looked at; private to roms/lessons/gallery_publishing*.c.
+/* gallery_publishing.h — a page, composed and looked at; private to gallery_publishing*.c.
  *
  * Units: hundredths of an inch; the page is 850 by 1100, origin bottom left.
  */

@@ -40,7 +40,7 @@ static const char story[] =
     "of "
     "it is done again for every picture, because that is quick enough.";
 
-/* ---- the view --------------------------------------------------------------------------------------- */
+/* ---- the view -------------------------------------------------------------------------------- */
 
 static float dots(const struct page_view *v, float length)
 {
@@ -84,7 +84,7 @@ static struct point2 dot(const struct page_view *v, struct point2 p)
                            stage_canvas_y(v->stage, p.y) - v->top};
 }
 
-/* ---- what a page is made of ------------------------------------------------------------------------- */
+/* ---- what a page is made of ------------------------------------------------------------------ */
 
 static void paper(const struct page_view *v)
 {
@@ -144,7 +144,8 @@ static void vector_letters(struct stage *s, struct point2 p, float width, float 
         }
 }
 
-/* On the vector head: characters where there is room for them, else a stroke as long as the word. */
+/* On the vector head: characters where there is room for them, else a stroke as long as the
+ * word. */
 static void vector_word(const struct page_view *v, struct point2 at, float width, float height,
                         const char *text)
 {
@@ -182,7 +183,7 @@ static void word(const struct page_view *v, struct point2 at, float width, float
     vector_word(v, at, width, height, text);
 }
 
-/* ---- composing -------------------------------------------------------------------------------------- */
+/* ---- composing ------------------------------------------------------------------------------- */
 
 /* A line that is being filled. */
 struct line {
@@ -244,7 +245,7 @@ static const char *set_column(const struct page_view *v, const char *text, float
     return text;
 }
 
-/* ---- the figure: a tube ----------------------------------------------------------------------------- */
+/* ---- the figure: a tube ---------------------------------------------------------------------- */
 
 /* Its axis begins at x, y. */
 static void figure(const struct page_view *v, float x, float y, float seconds)

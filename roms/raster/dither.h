@@ -2,7 +2,7 @@
  *
  *      ordered:    level = ⌊v·(levels − 1) + threshold⌋,       error diffusion:      ·   X  7/16
  *                  threshold from a matrix that repeats                             3/16 5/16 1/16
- *                  over the picture (Bayer)                     what a pixel could not show is given
+ *                  over the picture (Bayer)                     what a pixel could not show goes
  *                                                               to those that come after it
  *
  * Models:     Bayer's matrices of 4 by 4 and 8 by 8, and the weights of Floyd and Steinberg. The

@@ -71,7 +71,7 @@ static inline bool column_inside(const struct canvas *c, const struct antialiase
            k->across + ANTIALIASED_PIXELS <= height;
 }
 
-/* ---- into a ramp ---------------------------------------------------------------------------------- */
+/* ---- into a ramp ----------------------------------------------------------------------------- */
 
 struct shades {
     const uint32_t *ramp;
@@ -138,7 +138,7 @@ void canvas_line_antialiased(const struct canvas *c, float x0, float y0, float x
     }
 }
 
-/* ---- blended -------------------------------------------------------------------------------------- */
+/* ---- blended --------------------------------------------------------------------------------- */
 
 /* Old and new mixed in the bits of `mask`, above which there is room for `bits` more. */
 static inline uint32_t mixed(uint32_t old, uint32_t new, uint32_t mask, uint32_t part, int bits)

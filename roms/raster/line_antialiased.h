@@ -2,7 +2,7 @@
  *
  *        ░░▒▒▓▓██▓▓▒▒░░          distance d of a pixel's middle from the line
  *      ──────── line ────────        │
- *        ░░▒▒▓▓██▓▓▒▒░░              ▼  table: volume of a cone of radius 1 over the band |d| <= 1/2
+ *        ░░▒▒▓▓██▓▓▒▒░░              ▼  table: a cone of radius 1 over the band |d| <= 1/2
  *                                coverage 0…255 ──▶ entry of a ramp, or blended with what is there
  *
  * Models:     a line one pixel wide, seen through a conical filter that reaches one pixel:
@@ -86,8 +86,8 @@ static inline bool line_antialiased_next(struct line_antialiased *l, struct anti
     return true;
 }
 
-/* Into a ramp of pixel values, the ground first: `levels` of them. Where an ascending ramp's lighter
- * value stands already it stays, so that lines may cross. */
+/* Into a ramp of pixel values, the ground first: `levels` of them. Where an ascending ramp's
+ * lighter value stands already it stays, so that lines may cross. */
 void canvas_line_antialiased(const struct canvas *c, float x0, float y0, float x1, float y1,
                              const uint32_t *ramp, int levels);
 /* Mixed with what is there: pixels of 16 or 32 bits. */

@@ -1,7 +1,7 @@
 /* line_dashed.h — lines with a pattern of dashes and gaps that goes on around corners.
  *
- *      ━━━━━  ━  ━━━━━┓        lengths {10, 4, 2, 4}: dash, gap, dash, gap, … in pixels along the line,
- *                     ┃        whatever its slope; what is left of a dash at a corner
+ *      ━━━━━  ━  ━━━━━┓        lengths {10, 4, 2, 4}: dash, gap, dash, gap in pixels along the
+ *                     ┃        line, whatever its slope; what is left of a dash at a corner
  *                     ╹        is drawn behind it
  *
  * Models:     Bresenham's pixels, each on or off by its distance from where the pattern began.

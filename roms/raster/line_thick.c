@@ -47,7 +47,7 @@ void line_thick_begin(struct line_thick *l, const struct point2 *points, int cou
     l->part = l->at >= count - !l->closed ? PART_POINT : l->closed ? PART_SEGMENT : PART_START;
 }
 
-/* ---- pieces ----------------------------------------------------------------------------------------- */
+/* ---- pieces ---------------------------------------------------------------------------------- */
 
 static void add(struct thick_piece *piece, struct point2 p)
 {

@@ -1,7 +1,7 @@
 /* polygon_fill.h — areas between edges, scan line by scan line.
  *
  *      edges, by their lowest row ──▶ active edges, by x ──▶ pairs of crossings ──▶ runs of pixels
- *           (edge table)                └── x moves by dx/dy a row, in whole numbers with a remainder
+ *           (edge table)                └── x moves by dx/dy a row: whole numbers, a remainder
  *
  * Models:     the even-odd rule and the non-zero winding rule; any number of contours, so that
  *             areas have holes. A pixel belongs to the area when its middle does; a middle on an
@@ -39,7 +39,7 @@ void canvas_polygon(const struct canvas *c, const struct point2 *corners, int co
 void canvas_polygons(const struct canvas *c, const struct point2 *corners, const int *counts,
                      int contours, enum polygon_rule rule, uint32_t colour);
 
-/* ---- row by row ------------------------------------------------------------------------------------ */
+/* ---- row by row ------------------------------------------------------------------------------ */
 
 /* An edge that crosses rows first…last. Where it crosses the row that is being done, rounded up to
  * 1/64 pixel, is `x`; `over` / `height` is by how much that is too far. */

@@ -97,7 +97,7 @@ void canvas_text_antialiased(const struct canvas *c, float x, float y, float wid
     }
 }
 
-/* ---- kept ----------------------------------------------------------------------------------------- */
+/* ---- kept ------------------------------------------------------------------------------------ */
 
 void text_shades_begin(struct text_shades *s, float width, float height, const uint32_t *ramp,
                        int levels)

@@ -26,7 +26,7 @@
 void canvas_text_antialiased(const struct canvas *c, float x, float y, float width, float height,
                              const uint32_t *ramp, int levels, const char *text);
 
-/* ---- characters that are kept: for pages of text ------------------------------------------------------ */
+/* ---- characters that are kept: for pages of text --------------------------------------------- */
 
 enum { TEXT_SHADES_WIDTH = 16, TEXT_SHADES_HEIGHT = 24, TEXT_SHADES_CODES = 128 };
 

@@ -1,7 +1,7 @@
 /* text_turned.h — the raster head's characters in any size and in four directions.
  *
- *      TEXT_RIGHT  ABC      TEXT_UP  C        (x, y): the corner where the first cell begins; the cell
- *                                    B        is turned about it
+ *      TEXT_RIGHT  ABC      TEXT_UP  C        (x, y): the corner where the first cell begins;
+ *                                    B        the cell is turned about it
  *      TEXT_LEFT, TEXT_DOWN          A
  *
  * Models:     the font of font.h; each of its dots becomes a rectangle, so that a cell is as wide

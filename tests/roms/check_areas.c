@@ -1,5 +1,5 @@
-/* check_areas — in the machine: areas, line attributes and dithering on random cases, a line a property.
- * Exits 0 when all hold. */
+/* check_areas — in the machine: areas, line attributes and dithering on random cases, a line a
+ * property. Exits 0 when all hold. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -58,7 +58,7 @@ static void tell(int cases, const char *property, int failures)
     rig.failed = rig.failed || failures > 0;
 }
 
-/* ---- polygons --------------------------------------------------------------------------------------- */
+/* ---- polygons -------------------------------------------------------------------------------- */
 
 /* In 1/64 pixel, as the library rounds. */
 static int32_t part(float v)
@@ -135,7 +135,7 @@ static void check_tilings(void)
     tell(CASES, "tilings: areas that share an edge share no pixel and leave no gap", wrong);
 }
 
-/* ---- connected areas --------------------------------------------------------------------------------- */
+/* ---- connected areas ------------------------------------------------------------------------- */
 
 static int search(const struct canvas *c, int x, int y, int connected, uint32_t limit)
 {
@@ -178,7 +178,7 @@ static void check_floods(void)
     tell(CASES, "flood and boundary fills: what a search pixel by pixel reaches", wrong);
 }
 
-/* ---- lines ------------------------------------------------------------------------------------------ */
+/* ---- lines ----------------------------------------------------------------------------------- */
 
 static void check_antialiased(void)
 {

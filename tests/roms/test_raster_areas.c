@@ -1,6 +1,6 @@
-/* Filling areas (roms/raster): polygons against every pixel's middle in exact whole numbers, by both
- * rules, with holes, in every format; tilings; flood and boundary fills against a search that visits
- * pixel by pixel. */
+/* Filling areas (roms/raster): polygons against every pixel's middle in exact whole numbers, by
+ * both rules, with holes, in every format; tilings; flood and boundary fills against a search
+ * that visits pixel by pixel. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -49,7 +49,7 @@ static struct canvas canvas_of(unsigned bits)
     return c;
 }
 
-/* ---- polygons -------------------------------------------------------------------------------------- */
+/* ---- polygons -------------------------------------------------------------------------------- */
 
 static int64_t part(float v)
 {
@@ -190,7 +190,7 @@ static void what_cannot_be_filled_is_not(void **state)
     canvas_polygon(&c, p, 10, POLYGON_EVEN_ODD, 1);
 }
 
-/* ---- connected areas -------------------------------------------------------------------------------- */
+/* ---- connected areas ------------------------------------------------------------------------- */
 
 /* Scenery of so many values, with as many obstacles as `rare` says. */
 static void scatter(const struct canvas *c, int values, int rare)

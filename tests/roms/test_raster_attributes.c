@@ -47,7 +47,7 @@ static struct canvas canvas_of(unsigned bits)
     return c;
 }
 
-/* ---- antialiased lines ---------------------------------------------------------------------------- */
+/* ---- antialiased lines ----------------------------------------------------------------------- */
 
 /* The cone's volume over the band |t - d| <= 1/2, summed over small squares. */
 static double cone_over_band(double d)
@@ -71,8 +71,8 @@ static void coverage_is_the_cone_over_the_band(void **state)
         assert_true(fabs(antialiased_coverage[i] / 255.0 - cone_over_band(i / 64.0)) < 0.004);
 }
 
-/* Each pixel of a column is as light as its distance from the line in double precision says, and those
- * beside the column's four are too far to be lit. */
+/* Each pixel of a column is as light as its distance from the line in double precision says, and
+ * those beside the column's four are too far to be lit. */
 static void coverage_is_by_distance(void **state)
 {
     (void)state;
@@ -196,7 +196,7 @@ static void blended_lines_are_contained(void **state)
     }
 }
 
-/* ---- dashes ---------------------------------------------------------------------------------------- */
+/* ---- dashes ---------------------------------------------------------------------------------- */
 
 /* Each pixel of a polyline is on as its distance along it says; corners do not disturb. */
 static void dashes_go_on_around_corners(void **state)
@@ -252,7 +252,7 @@ static void dashes_outside_are_left_out(void **state)
         assert_int_equal(canvas_pixel(&c, x, 50), 2);
 }
 
-/* ---- wide lines -------------------------------------------------------------------------------------- */
+/* ---- wide lines ------------------------------------------------------------------------------ */
 
 static double from_segment(struct point2 a, struct point2 b, double x, double y)
 {

@@ -1,5 +1,6 @@
-/* Text in any size and dithering (roms/raster): turned text against the font dot by dot, small text against
- * covered parts of pixels, dithered areas against their mean and Bayer's and Floyd's and Steinberg's rules. */
+/* Text in any size and dithering (roms/raster): turned text against the font dot by dot, small
+ * text against covered parts of pixels, dithered areas against their mean and Bayer's and
+ * Floyd's and Steinberg's rules. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -44,7 +45,7 @@ static struct canvas canvas_of(unsigned bits)
     return c;
 }
 
-/* ---- text -------------------------------------------------------------------------------------------- */
+/* ---- text ------------------------------------------------------------------------------------ */
 
 /* The dot of the font that a pixel of the canvas shows, for every direction and odd sizes. */
 static void turned_text_is_the_font(void **state)
@@ -137,7 +138,7 @@ static void kept_text_is_the_same(void **state)
     }
 }
 
-/* ---- dithering ------------------------------------------------------------------------------------- */
+/* ---- dithering ------------------------------------------------------------------------------- */
 
 /* D(2n) from D(n), as Bayer builds it. */
 static void matrices_are_bayers(void **state)
