@@ -1,0 +1,40 @@
+#include "roms/raster/line_dda.h"
+
+#include <stdlib.h>
+
+void line_dda_begin(struct line_dda *l, int x0, int y0, int x1, int y1)
+{
+    int dx = x1 - x0, dy = y1 - y0;
+    int longer = abs(dx) > abs(dy) ? abs(dx) : abs(dy);
+    *l = (struct line_dda){.x = (float)x0, .y = (float)y0, .k = -1, .last = longer};
+    if (longer > 0) {
+        l->dx = (float)dx / (float)longer;
+        l->dy = (float)dy / (float)longer;
+    }
+}
+
+struct line_case line_case_of(int x0, int y0, int x1, int y1)
+{
+    static const struct line_case cases[8] = {
+        {false, false, true, 'B', 'A', "y + 1, x + 1/m"},
+        {false, false, false, 'C', 'D', "x + 1, y + m"},
+        {false, true, true, 'F', 'E', "y - 1, x - 1/m"},
+        {false, true, false, 'G', 'H', "x - 1, y - m"},
+        {true, false, true, 'J', 'I', "y - 1, x - 1/m"},
+        {true, false, false, 'K', 'L', "x + 1, y + m"},
+        {true, true, true, 'N', 'M', "y + 1, x + 1/m"},
+        {true, true, false, 'O', 'P', "x - 1, y - m"},
+    };
+    int dx = x1 - x0, dy = y1 - y0;
+    bool negative = (dx > 0 && dy < 0) || (dx < 0 && dy > 0);
+    bool leftward = dx < 0 || (dx == 0 && dy < 0), level = abs(dy) <= abs(dx);
+    return cases[4 * negative + 2 * leftward + level];
+}
+
+void canvas_line_dda(const struct canvas *c, int x0, int y0, int x1, int y1, uint32_t colour)
+{
+    struct line_dda l;
+    line_dda_begin(&l, x0, y0, x1, y1);
+    while (line_dda_next(&l))
+        canvas_dot(c, l.plot_x, l.plot_y, colour);
+}
