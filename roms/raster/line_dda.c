@@ -16,14 +16,14 @@ void line_dda_begin(struct line_dda *l, int x0, int y0, int x1, int y1)
 struct line_case line_case_of(int x0, int y0, int x1, int y1)
 {
     static const struct line_case cases[8] = {
-        {false, false, true, 'B', 'A', "y + 1, x + 1/m"},
-        {false, false, false, 'C', 'D', "x + 1, y + m"},
-        {false, true, true, 'F', 'E', "y - 1, x - 1/m"},
-        {false, true, false, 'G', 'H', "x - 1, y - m"},
-        {true, false, true, 'J', 'I', "y - 1, x - 1/m"},
-        {true, false, false, 'K', 'L', "x + 1, y + m"},
-        {true, true, true, 'N', 'M', "y + 1, x + 1/m"},
-        {true, true, false, 'O', 'P', "x - 1, y - m"},
+        {false, false, true, 'A', 'B', "y + 1", "x + 1/m"},
+        {false, false, false, 'C', 'D', "x + 1", "y + m"},
+        {false, true, true, 'E', 'F', "y - 1", "x - 1/m"},
+        {false, true, false, 'G', 'H', "x - 1", "y - m"},
+        {true, false, true, 'I', 'J', "y - 1", "x - 1/m"},
+        {true, false, false, 'K', 'L', "x + 1", "y + m"},
+        {true, true, true, 'M', 'N', "y + 1", "x + 1/m"},
+        {true, true, false, 'O', 'P', "x - 1", "y - m"},
     };
     int dx = x1 - x0, dy = y1 - y0;
     bool negative = (dx > 0 && dy < 0) || (dx < 0 && dy > 0);

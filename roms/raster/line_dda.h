@@ -54,13 +54,15 @@ static inline bool line_dda_next(struct line_dda *l)
     return true;
 }
 
-/* Which of the eight cases of slope and direction a line is: what a step does. */
+/* Which of the eight cases of slope and direction a line is, and what a step does. */
 struct line_case {
-    bool negative;    /* the slope */
-    bool leftward;    /* from right to left */
-    bool steep;       /* |m| > 1 */
-    char x, y;        /* the letters of the two equations, A…P */
-    const char *step; /* "y + 1, x + 1/m": m with its sign */
+    bool negative;     /* the slope */
+    bool leftward;     /* from right to left */
+    bool steep;        /* |m| > 1 */
+    char along_letter; /* of the two equations, A…P */
+    char across_letter;
+    const char *along;  /* "y + 1" */
+    const char *across; /* "x + 1/m": m with its sign */
 };
 
 /* A horizontal line counts as one of positive slope, an upright one, too: upward from left to right. */
