@@ -4,7 +4,9 @@
  *                             ├──▶ a row of the table (table on)
  *                             └──▶ enlarged pixels on the stage; in step mode a key for each
  *
- * Models:     what lines, curves and fills have in common for those who watch.
+ * Models:     what lines, curves and fills have in common for those who watch. A figure too large for cells
+ *             that can be told apart is shown without its ideal; in step mode the cells about the
+ *             candidates.
  * Units:      pixels, y up.
  * Ownership:  the state is the caller's and must outlive scan_run.
  * Errors:     none; a scan conversion without end must end itself.
@@ -46,6 +48,7 @@ struct stepper {
     /* Draws what stands before the first decision (a boundary to be filled); may be NULL. */
     void (*before)(const void *state, const struct grid *grid);
     void *state;
+    const char *caption; /* under the finished picture; may be NULL */
 };
 
 /* Runs it: to the end, or key by key in step mode. Prints its rows when the table is on. */
