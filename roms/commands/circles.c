@@ -8,7 +8,7 @@
 #include "roms/raster/circle_midpoint_side.h"
 #include "roms/raster/ellipse_midpoint.h"
 
-enum { FARTHEST = 2000, LARGEST = 1000, SIDES = 72 };
+enum { FARTHEST = 2000, LARGEST = 1000 };
 
 struct round {
     int xc, yc, rx, ry;
@@ -179,8 +179,9 @@ static bool next_ellipse(void *state, struct step *step)
 static void ideal(const void *state, const struct grid *grid)
 {
     const struct round *r = state;
-    const float turn = 6.2831853f / SIDES;
-    for (int i = 0; i < SIDES; i++) {
+    int sides = r->rx + r->ry < 100 ? 72 : 360;
+    float turn = 6.2831853f / (float)sides;
+    for (int i = 0; i < sides; i++) {
         float a = turn * (float)i, b = turn * (float)(i + 1);
         grid_line(grid, (float)r->xc + (float)r->rx * cosf(a),
                   (float)r->yc + (float)r->ry * sinf(a), (float)r->xc + (float)r->rx * cosf(b),
@@ -214,6 +215,9 @@ static bool run(struct monitor *m, struct round *r, struct stepper stepper)
     stepper.x1 = r->xc + r->rx;
     stepper.y1 = r->yc + r->ry;
     stepper.ideal = ideal;
+    stepper.caption = r->rx == r->ry
+                          ? "An eighth is computed; symmetry gives the rest, a colour an octant."
+                          : "A quarter is computed; symmetry gives the rest, a colour a quadrant.";
     stepper.state = r;
     scan_run(m, &stepper);
     printf("%d pixel%s about (%d,%d).\n", r->pixels, r->pixels == 1 ? "" : "s", r->xc, r->yc);

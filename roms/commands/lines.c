@@ -192,6 +192,7 @@ static bool line(struct monitor *m, struct words *w)
     stepper.x1 = higher(state.x0, state.x1);
     stepper.y1 = higher(state.y0, state.y1);
     stepper.ideal = ideal;
+    stepper.caption = "White: the ideal line. Lit: the pixel nearest to it at each step.";
     stepper.state = &state;
     scan_run(m, &stepper);
     tell(&state);
