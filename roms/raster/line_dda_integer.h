@@ -7,9 +7,10 @@
  * Models:     the DDA (line_dda.h) with fractions of a chosen number of bits. From the first end to the last,
  *             both drawn.
  * Cost:       a pixel: 8 additions and shifts of whole numbers. A line: 2 divisions of whole numbers.
- * Domain:     coordinates within ±2^13; 1 to 16 bits of fraction. An increment is wrong by at most 2^-(bits+1), so
- *             that pixel k is within a half and k / 2^(bits+1) of the line; with LINE_FRACTION_BITS a
- *             line of 2000 steps is within 0.516 pixels, and its last pixel is its end.
+ * Domain:     1 to 16 bits of fraction; |dx| and |dy| times 2^bits below 2^30: coordinates within ±2^13 with
+ *             LINE_FRACTION_BITS. An increment is wrong by at most 2^-(bits+1), so that pixel k is within
+ *             a half and k / 2^(bits+1) of the line; with LINE_FRACTION_BITS a line of 4000 steps is
+ *             within 0.531 pixels, and its last pixel is its end.
  * Units:      pixels; fractions: 2^-bits pixels.
  * Ownership:  plain values.
  * Errors:     none. A line of length 0 is a pixel. Too few bits miss the end: that can be seen.

@@ -67,7 +67,7 @@ static void figures(const struct grid *g)
 {
     char text[16];
     int length = longest(g->x0, g->x1);
-    int step = every(g, (float)(FIGURE_WIDTH * (length + (length > 2))));
+    int step = every(g, (float)(FIGURE_WIDTH * (length + (length > 1))));
     for (int x = first_of(step, g->x0); x <= g->x1; x += step) {
         struct point2 at = grid_place(g, (float)x, (float)g->y0);
         snprintf(text, sizeof text, "%d", x);
