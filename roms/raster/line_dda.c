@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "roms/raster/plot.h"
+
 void line_dda_begin(struct line_dda *l, int x0, int y0, int x1, int y1)
 {
     int dx = x1 - x0, dy = y1 - y0;
@@ -31,10 +33,20 @@ struct line_case line_case_of(int x0, int y0, int x1, int y1)
     return cases[4 * negative + 2 * leftward + level];
 }
 
+static inline void draw_dda(const struct plot *plot, unsigned bits, struct line_dda l)
+{
+    while (line_dda_next(&l))
+        plot_1(plot, bits, l.plot_x, l.plot_y);
+}
+
 void canvas_line_dda(const struct canvas *c, int x0, int y0, int x1, int y1, uint32_t colour)
 {
+    enum {
+        STRAIGHT = 2048
+    }; /* drifts by less than half a pixel, so that it stays between its ends */
     struct line_dda l;
+    struct plot plot;
+    bool whole = plot_begin_line(&plot, c, x0, y0, x1, y1, colour);
     line_dda_begin(&l, x0, y0, x1, y1);
-    while (line_dda_next(&l))
-        canvas_dot(c, l.plot_x, l.plot_y, colour);
+    PLOT_EACH_FORMAT(draw_dda, &plot, whole && l.last <= STRAIGHT, l);
 }

@@ -2,6 +2,8 @@
 
 #include <stdlib.h>
 
+#include "roms/raster/plot.h"
+
 /* v / n to the nearest fraction of so many bits, for |v| at most n. */
 static struct line_parts parts_of(int v, int n, int bits)
 {
@@ -23,11 +25,18 @@ void line_dda_integer_begin(struct line_dda_integer *l, int x0, int y0, int x1, 
     l->dy = parts_of(dy, longer, bits);
 }
 
+static inline void draw_integer(const struct plot *plot, unsigned bits, struct line_dda_integer l)
+{
+    while (line_dda_integer_next(&l))
+        plot_1(plot, bits, l.plot_x, l.plot_y);
+}
+
 void canvas_line_dda_integer(const struct canvas *c, int x0, int y0, int x1, int y1,
                              uint32_t colour)
 {
     struct line_dda_integer l;
+    struct plot plot;
+    bool whole = plot_begin_line(&plot, c, x0, y0, x1, y1, colour);
     line_dda_integer_begin(&l, x0, y0, x1, y1, LINE_FRACTION_BITS);
-    while (line_dda_integer_next(&l))
-        canvas_dot(c, l.plot_x, l.plot_y, colour);
+    PLOT_EACH_FORMAT(draw_integer, &plot, whole, l);
 }

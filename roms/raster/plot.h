@@ -4,7 +4,7 @@
  *      ────────┼────────           bytes; all images lie within the canvas, or plot_begin says no and
  *      (−x,−y) ■ │ ■ (x,−y)        canvas_dot does it
  *
- * Models:     mirror images in both axes (4), and in the diagonals, too (8).
+ * Models:     mirror images in both axes (4), and in the diagonals, too (8); single pixels (1).
  * Cost:       4 images: 1 multiplication, 6 to 10 additions, 4 stores.
  * Domain:     pixels of 8, 16 and 32 bits; others go by canvas_dot.
  * Units:      pixels.
@@ -48,7 +48,23 @@ static inline void plot_store(uint8_t *at, unsigned bits, uint32_t colour)
         *(uint32_t *)(void *)at = colour;
 }
 
-/* `bits` is a constant where this is called: 8, 16 or 32 after plot_begin, 0 after its no. */
+/* For lines from end to end: one place, and all between the ends lies within the canvas when they do. */
+static inline bool plot_begin_line(struct plot *p, const struct canvas *c, int x0, int y0, int x1,
+                                   int y1, uint32_t colour)
+{
+    return plot_begin(p, c, 0, 0, 0, 0, colour) && x0 >= 0 && y0 >= 0 && x1 >= 0 && y1 >= 0 &&
+           x0 < c->width && x1 < c->width && y0 < c->height && y1 < c->height;
+}
+
+/* `bits` is a constant where these are called: 8, 16 or 32 after plot_begin, 0 after its no. */
+static inline void plot_1(const struct plot *p, unsigned bits, int x, int y)
+{
+    if (bits == 0)
+        canvas_dot(p->canvas, x, y, p->colour);
+    else
+        plot_store(p->middle + y * (int)p->canvas->pitch + x * (int)(bits / 8), bits, p->colour);
+}
+
 static inline void plot_4(const struct plot *p, unsigned bits, int x, int y)
 {
     if (bits == 0) {

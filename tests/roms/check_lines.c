@@ -12,7 +12,7 @@
 #include "roms/raster/line_dda.h"
 #include "roms/raster/line_dda_integer.h"
 
-enum { CASES = 10000, FAR = 30, MOST = 2 * FAR + 1, SIDE = 24 };
+enum { CASES = 10000, FAR = 24, MOST = 2 * FAR + 1, SIDE = 20 };
 
 struct place {
     int x, y;

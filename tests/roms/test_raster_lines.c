@@ -329,24 +329,27 @@ static void canvas_lines_are_the_iterators(void **state)
 static void canvas_lines_of_the_ddas(void **state)
 {
     (void)state;
-    static uint8_t drawn[2][sizeof memory];
-    for (int i = 0; i < 2000; i++) {
-        int x0 = random_within(-90, 90), y0 = random_within(-90, 90);
-        int x1 = random_within(-90, 90), y1 = random_within(-90, 90);
-        struct canvas c = canvas_of(8, SIDE, SIDE);
-        canvas_line_dda(&c, x0, y0, x1, y1, 7);
-        memcpy(drawn[0], memory, sizeof memory);
-        c = canvas_of(8, SIDE, SIDE);
-        canvas_line_dda_integer(&c, x0, y0, x1, y1, 7);
-        memcpy(drawn[1], memory, sizeof memory);
-        for (int which = 0; which < 2; which++) {
-            c = canvas_of(8, SIDE, SIDE);
-            int count = which == 0 ? dda(lit, x0, y0, x1, y1)
-                                   : dda_integer(lit, x0, y0, x1, y1, LINE_FRACTION_BITS);
-            for (int k = 0; k < count; k++)
-                canvas_dot(&c, lit[k].x, lit[k].y, 7);
-            assert_memory_equal(drawn[which], memory, sizeof memory);
-        }
+    static const unsigned formats[] = {1, 2, 4, 8, 16, 32};
+    static uint8_t drawn[sizeof memory];
+    for (int i = 0; i < 12000; i++) {
+        unsigned bits = formats[i % 6];
+        int low = i % 4 ? 0 : -90, high = i % 4 ? SIDE - 1 : 90;
+        int x0 = random_within(low, high), y0 = random_within(low, high);
+        int x1 = random_within(low, high), y1 = random_within(low, high);
+        uint32_t colour = seed;
+        bool whole = i / 6 % 2;
+        struct canvas c = canvas_of(bits, SIDE, SIDE);
+        if (whole)
+            canvas_line_dda_integer(&c, x0, y0, x1, y1, colour);
+        else
+            canvas_line_dda(&c, x0, y0, x1, y1, colour);
+        memcpy(drawn, memory, sizeof memory);
+        c = canvas_of(bits, SIDE, SIDE);
+        int count =
+            whole ? dda_integer(lit, x0, y0, x1, y1, LINE_FRACTION_BITS) : dda(lit, x0, y0, x1, y1);
+        for (int k = 0; k < count; k++)
+            canvas_dot(&c, lit[k].x, lit[k].y, colour);
+        assert_memory_equal(drawn, memory, sizeof memory);
     }
 }
 
