@@ -14,6 +14,7 @@ enum { FARTHEST = 2000 };
 struct line {
     int x0, y0, x1, y1;
     int pixels;
+    bool tied; /* a tie against the axis: see line_bresenham.h */
     struct line_dda dda;
     struct line_dda_integer integer;
     struct line_bresenham bresenham;
@@ -114,6 +115,7 @@ static bool next_bresenham(void *state, struct step *step)
     if (!line_bresenham_next(l))
         return false;
     light(line, step, l->x, l->y);
+    line->tied |= l->k > 0 && p == 0 && l->tie == 1;
     if (l->k > 0) {
         snprintf(step->row, STEP_TEXT, "%4d %7d %6d %6d", l->k - 1, p, l->x, l->y);
     } else {
@@ -139,12 +141,17 @@ static void tell(const struct line *line)
         return;
     }
     if (dx == 0)
-        printf("m is infinite");
+        printf("m is infinite, %s", dy > 0 ? "upward" : "downward");
     else
-        printf("m = %.4f", print_tidy((float)dy / (float)dx));
-    printf(", %s, %s, |m| %s 1: %s (%c), %s (%c). %d pixels.\n",
-           c.negative ? "negative" : "positive", c.leftward ? "right to left" : "left to right",
-           c.steep ? ">" : "<=", c.along, c.along_letter, c.across, c.across_letter, line->pixels);
+        printf("m = %.4f, %s, %s", print_tidy((float)dy / (float)dx),
+               dy == 0      ? "level"
+               : c.negative ? "negative"
+                            : "positive",
+               c.leftward ? "right to left" : "left to right");
+    printf(", |m| %s 1: %s (%c), %s (%c). %d pixels.\n", c.steep ? ">" : "<=", c.along,
+           c.along_letter, c.across, c.across_letter, line->pixels);
+    if (line->tied)
+        printf("A tie, p = 0, stays on the way back: both ways light the same pixels.\n");
 }
 
 static int lower(int a, int b)
