@@ -1,4 +1,5 @@
-/* circles.c — midpoint circles and ellipses: rows of their tables, decisions, images by symmetry. */
+/* circles.c — midpoint circles and ellipses: rows of their tables, decisions, images by
+ * symmetry. */
 #include "roms/commands/circles.h"
 
 #include <stdio.h>
@@ -13,6 +14,7 @@ enum { FARTHEST = 2000, LARGEST = 1000 };
 struct round {
     int xc, yc, rx, ry;
     int pixels;
+    bool told; /* somebody reads rows or decisions */
     struct circle_midpoint circle;
     struct circle_midpoint_side side;
     struct ellipse_midpoint ellipse;
@@ -56,16 +58,26 @@ static void choose(const struct round *r, struct step *step, int x0, int y0, int
     step->has_midpoint = true;
 }
 
-/* A row: the step's number and p, empty for the start; the pixel about the origin; where it is plotted. */
-static void circle_row(const struct round *r, struct step *step, int k, int p, int x, int y)
+/* A decision of a circle: its number, below 0 at the start; p; the pixel about the origin; who may
+ * step. */
+struct told {
+    int k, p, x, y;
+    char axis;
+};
+
+static void tell_circle(const struct round *r, struct step *step, struct told t)
 {
-    char number[16] = "", decision[16] = "";
-    if (k >= 0) {
-        snprintf(number, sizeof number, "%d", k);
-        snprintf(decision, sizeof decision, "%d", p);
+    char number[16] = "", p[16] = "";
+    if (t.k >= 0) {
+        snprintf(number, sizeof number, "%d", t.k);
+        snprintf(p, sizeof p, "%d", t.p);
+        snprintf(step->decision, STEP_TEXT, "p = %d: the middle is %s the circle, %c %s", t.p,
+                 t.p < 0 ? "inside" : "outside", t.axis, t.p < 0 ? "stays" : "steps");
+    } else {
+        snprintf(step->decision, STEP_TEXT, "The start: (%d, %d)", t.x, t.y);
     }
-    snprintf(step->row, STEP_TEXT, "%4s %7s %6d %6d %7d %7d", number, decision, x, y, r->xc + x,
-             r->yc + y);
+    snprintf(step->row, STEP_TEXT, "%4s %7s %6d %6d %7d %7d", number, p, t.x, t.y, r->xc + t.x,
+             r->yc + t.y);
 }
 
 static void past_the_octant(struct step *step)
@@ -92,16 +104,12 @@ static bool next_circle(void *state, struct step *step)
     struct round *r = state;
     struct circle_midpoint *c = &r->circle;
     int p = c->p;
-    if (c->k >= 0) {
+    if (r->told && c->k >= 0)
         choose(r, step, c->x + 1, c->y, c->x + 1, c->y - 1);
-        snprintf(step->decision, STEP_TEXT, "p = %d: the middle is %s the circle, y %s", p,
-                 p < 0 ? "inside" : "outside", p < 0 ? "stays" : "steps");
-    } else {
-        snprintf(step->decision, STEP_TEXT, "The start: (0, r)");
-    }
     if (!circle_midpoint_next(c))
         return false;
-    circle_row(r, step, c->k - 1, p, c->x, c->y);
+    if (r->told)
+        tell_circle(r, step, (struct told){c->k - 1, p, c->x, c->y, 'y'});
     octant_pixel(r, step, c->x, c->y, c->x > c->y);
     return true;
 }
@@ -111,16 +119,12 @@ static bool next_side(void *state, struct step *step)
     struct round *r = state;
     struct circle_midpoint_side *c = &r->side;
     int p = c->p;
-    if (c->k >= 0) {
+    if (r->told && c->k >= 0)
         choose(r, step, c->x, c->y + 1, c->x - 1, c->y + 1);
-        snprintf(step->decision, STEP_TEXT, "p = %d: the middle is %s the circle, x %s", p,
-                 p < 0 ? "inside" : "outside", p < 0 ? "stays" : "steps");
-    } else {
-        snprintf(step->decision, STEP_TEXT, "The start: (r, 0)");
-    }
     if (!circle_midpoint_side_next(c))
         return false;
-    circle_row(r, step, c->k - 1, p, c->x, c->y);
+    if (r->told)
+        tell_circle(r, step, (struct told){c->k - 1, p, c->x, c->y, 'x'});
     octant_pixel(r, step, c->x, c->y, c->y > c->x);
     return true;
 }
@@ -137,40 +141,47 @@ static void write_decision(char *text, size_t room, const struct ellipse_midpoin
         snprintf(text, room, "%.2f", (double)e->p + 0.25);
 }
 
-static void choose_ellipse(const struct round *r, struct step *step, const char *p)
+static void choose_ellipse(const struct round *r, struct step *step)
 {
     const struct ellipse_midpoint *e = &r->ellipse;
-    if (e->region == 1) {
+    if (e->k >= 0 && e->region == 1)
         choose(r, step, e->x + 1, e->y, e->x + 1, e->y - 1);
-        snprintf(step->decision, STEP_TEXT, "Region 1: p = %s, y %s", p,
-                 e->p < 0 ? "stays" : "steps");
-    } else if (e->region == 2) {
+    else if (e->k >= 0 && e->region == 2)
         choose(r, step, e->x, e->y - 1, e->x + 1, e->y - 1);
-        snprintf(step->decision, STEP_TEXT, "Region 2: p = %s, x %s", p,
-                 e->p < 0 ? "steps" : "stays");
-    } else {
-        snprintf(step->decision, STEP_TEXT, "The flat tip: a run to (rx, 0)");
+}
+
+/* `before`: as it was when the decision was taken; `e`: after it. */
+static void tell_ellipse(struct step *step, const struct ellipse_midpoint *before,
+                         const struct ellipse_midpoint *e)
+{
+    static const char *const steps[][2] = {{"y stays", "y steps"}, {"x steps", "x stays"}};
+    char p[20] = "", k[12] = "", region[2] = "";
+    if (e->k > 0) {
+        write_decision(p, sizeof p, before);
+        snprintf(k, sizeof k, "%d", before->k);
+        snprintf(region, sizeof region, "%c", '0' + before->region);
     }
+    if (e->k == 0)
+        snprintf(step->decision, STEP_TEXT, "The start: (0, %d)", e->y);
+    else if (before->region == 3)
+        snprintf(step->decision, STEP_TEXT, "The flat tip: a run to (%d, 0)", e->rx);
+    else
+        snprintf(step->decision, STEP_TEXT, "Region %d: p = %s, %s", before->region, p,
+                 steps[before->region - 1][before->p >= 0]);
+    snprintf(step->row, STEP_TEXT, "%6s %4s %14s %5d %5d %11d %11d", region, k, p, e->x, e->y,
+             (int)e->slope_x, (int)e->slope_y); /* below 2^31 up to LARGEST */
 }
 
 static bool next_ellipse(void *state, struct step *step)
 {
     struct round *r = state;
-    struct ellipse_midpoint *e = &r->ellipse;
-    char p[20], k[12] = "", region[2] = "";
-    write_decision(p, sizeof p, e);
-    if (e->k >= 0) {
-        snprintf(k, sizeof k, "%d", e->k);
-        snprintf(region, sizeof region, "%c", '0' + e->region);
-        choose_ellipse(r, step, p);
-    } else {
-        p[0] = '\0';
-        snprintf(step->decision, STEP_TEXT, "The start: (0, ry)");
-    }
+    struct ellipse_midpoint *e = &r->ellipse, before = *e;
+    if (r->told)
+        choose_ellipse(r, step);
     if (!ellipse_midpoint_next(e))
         return false;
-    snprintf(step->row, STEP_TEXT, "%6s %4s %14s %5d %5d %11d %11d", region, k, p, e->x, e->y,
-             (int)e->slope_x, (int)e->slope_y); /* below 2^31 up to LARGEST */
+    if (r->told)
+        tell_ellipse(step, &before, e);
     light_quadrants(r, step, e->x, e->y);
     r->pixels += images_in_axes(e->x, e->y);
     return true;
@@ -215,16 +226,16 @@ static bool run(struct monitor *m, struct round *r, struct stepper stepper)
     stepper.x1 = r->xc + r->rx;
     stepper.y1 = r->yc + r->ry;
     stepper.ideal = ideal;
-    stepper.caption = r->rx == r->ry
-                          ? "An eighth is computed; symmetry gives the rest, a colour an octant."
-                          : "A quarter is computed; symmetry gives the rest, a colour a quadrant.";
     stepper.state = r;
+    r->told = m->table || m->steps;
     scan_run(m, &stepper);
     printf("%d pixel%s about (%d,%d).\n", r->pixels, r->pixels == 1 ? "" : "s", r->xc, r->yc);
     return true;
 }
 
 static const char circle_header[] = "   k       p      x      y    xc+x    yc+y";
+static const char circle_caption[] =
+    "An eighth is computed; symmetry gives the rest, a colour an octant.";
 
 bool commands_circle(struct monitor *m, struct words *w)
 {
@@ -232,9 +243,11 @@ bool commands_circle(struct monitor *m, struct words *w)
     if (!take(w, &r, true))
         return false;
     circle_midpoint_begin(&r.circle, r.rx);
-    return run(
-        m, &r,
-        (struct stepper){.title = "Midpoint circle", .header = circle_header, .next = next_circle});
+    return run(m, &r,
+               (struct stepper){.title = "Midpoint circle",
+                                .caption = circle_caption,
+                                .header = circle_header,
+                                .next = next_circle});
 }
 
 bool commands_circle_side(struct monitor *m, struct words *w)
@@ -245,6 +258,7 @@ bool commands_circle_side(struct monitor *m, struct words *w)
     circle_midpoint_side_begin(&r.side, r.rx);
     return run(m, &r,
                (struct stepper){.title = "Midpoint circle from the side",
+                                .caption = circle_caption,
                                 .header = circle_header,
                                 .next = next_side});
 }
@@ -258,6 +272,8 @@ bool commands_ellipse(struct monitor *m, struct words *w)
     return run(
         m, &r,
         (struct stepper){.title = "Midpoint ellipse",
+                         .caption =
+                             "A quarter is computed; symmetry gives the rest, a colour a quadrant.",
                          .header = "region    k              p     x     y     2ry^2 x     2rx^2 y",
                          .next = next_ellipse});
 }

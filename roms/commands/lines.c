@@ -14,6 +14,7 @@ enum { FARTHEST = 2000 };
 struct line {
     int x0, y0, x1, y1;
     int pixels;
+    bool told; /* somebody reads rows or decisions */
     bool tied; /* a tie against the axis: see line_bresenham.h */
     struct line_dda dda;
     struct line_dda_integer integer;
@@ -53,6 +54,8 @@ static bool next_dda(void *state, struct step *step)
     if (!line_dda_next(l))
         return false;
     light(line, step, l->plot_x, l->plot_y);
+    if (!line->told)
+        return true;
     candidates(step, l->x, l->y, steep(line));
     snprintf(step->row, STEP_TEXT, "%4d %10.4f %10.4f %7d %7d", l->k, print_tidy(l->x),
              print_tidy(l->y), l->plot_x, l->plot_y);
@@ -73,6 +76,8 @@ static bool next_integer(void *state, struct step *step)
     if (!line_dda_integer_next(l))
         return false;
     light(line, step, l->plot_x, l->plot_y);
+    if (!line->told)
+        return true;
     candidates(step, value(l->x, l->bits), value(l->y, l->bits), steep(line));
     snprintf(step->row, STEP_TEXT, "%4d %6d %6d %6d %6d %7d %7d", l->k, l->x.whole, l->x.fraction,
              l->y.whole, l->y.fraction, l->plot_x, l->plot_y);
@@ -108,7 +113,7 @@ static bool next_bresenham(void *state, struct step *step)
     struct line *line = state;
     struct line_bresenham *l = &line->bresenham;
     int p = l->p;
-    if (l->k >= 0 && l->k < l->last) {
+    if (line->told && l->k >= 0 && l->k < l->last) {
         choices(l, step);
         explain(l, step->decision);
     }
@@ -116,6 +121,8 @@ static bool next_bresenham(void *state, struct step *step)
         return false;
     light(line, step, l->x, l->y);
     line->tied |= l->k > 0 && p == 0 && l->tie == 1;
+    if (!line->told)
+        return true;
     if (l->k > 0) {
         snprintf(step->row, STEP_TEXT, "%4d %7d %6d %6d", l->k - 1, p, l->x, l->y);
     } else {
@@ -201,6 +208,7 @@ static bool line(struct monitor *m, struct words *w)
     stepper.ideal = ideal;
     stepper.caption = "White: the ideal line. Lit: the pixel nearest to it at each step.";
     stepper.state = &state;
+    state.told = m->table || m->steps;
     scan_run(m, &stepper);
     tell(&state);
     return true;

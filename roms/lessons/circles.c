@@ -1,4 +1,5 @@
-/* circles.c — midpoint circles by octants, from the top and from the side, and the ellipse's two regions. */
+/* circles.c — midpoint circles by octants, from the top and from the side, and the ellipse's two
+ * regions. */
 #include <stdio.h>
 
 #include "roms/lessons/lesson.h"
@@ -70,7 +71,7 @@ static int ry(const struct rounds *c)
     return c->figure == ELLIPSE ? c->r * 3 / 4 : c->r;
 }
 
-/* ---- pixels and the table ----------------------------------------------------------------------------- */
+/* ---- pixels and the table -------------------------------------------------------------------- */
 
 static void light_4(const struct grid *g, int x, int y, const enum ink *ink)
 {

@@ -75,9 +75,10 @@ static void key(void *state, int k)
     }
 }
 
-/* ---- drift ------------------------------------------------------------------------------------------- */
+/* ---- drift ----------------------------------------------------------------------------------- */
 
-/* What p keeps is the pixel's distance from the line, without loss: p + long - 2 short = 2 (exact - y long). */
+/* What p keeps is the pixel's distance from the line, without loss: p + long - 2 short = 2 (exact -
+ * y long). */
 static float kept_by_p(const struct line_bresenham *l, int64_t exact)
 {
     int64_t twice_long = l->straight - l->diagonal;
@@ -85,8 +86,8 @@ static float kept_by_p(const struct line_bresenham *l, int64_t exact)
     return (float)(kept - 2 * exact) / (float)twice_long;
 }
 
-/* One pixel of all three. Each error is what was summed up less the exact k · rise / length, whole pixels
- * and the rest apart, so that the comparison loses nothing. */
+/* One pixel of all three. Each error is what was summed up less the exact k · rise / length, whole
+ * pixels and the rest apart, so that the comparison loses nothing. */
 static void one_pixel(struct drift *d)
 {
     if (!line_dda_next(&d->dda) || !line_dda_integer_next(&d->fractions) ||
@@ -224,7 +225,7 @@ static void draw_drift(struct drift *d, struct stage *stage)
                          "A whole pixel off, all pixels are wrong.");
 }
 
-/* ---- aliasing ------------------------------------------------------------------------------------------- */
+/* ---- aliasing -------------------------------------------------------------------------------- */
 
 enum { SIZE = 23, PITCH = (SIZE + 3) / 4 * 4, GRID_SIDE = 580, SHADES = 16 };
 

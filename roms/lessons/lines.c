@@ -1,4 +1,5 @@
-/* lines.c — a line goes round like a clock's hand: the DDA and Bresenham's algorithm pixel by pixel. */
+/* lines.c — a line goes round like a clock's hand: the DDA and Bresenham's algorithm pixel by
+ * pixel. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -84,7 +85,7 @@ static void pass(struct clock *c, float seconds)
         turn(c, HURRY);
 }
 
-/* ---- one algorithm on one grid --------------------------------------------------------------------- */
+/* ---- one algorithm on one grid --------------------------------------------------------------- */
 
 struct panel {
     struct grid grid;

@@ -1,7 +1,7 @@
 /* circle_midpoint_side.h — the midpoint circle that begins at the side.
  *
- *          ╲ ■        from (r,0) to the diagonal, y + 1 a step; is the middle between the two pixels that
- *           ╲ ■       may follow, (x − ½, y + 1), within the circle?
+ *          ╲ ■        from (r,0) to the diagonal, y + 1 a step; is the middle between the two
+ *           ╲ ■       pixels that may follow, (x − ½, y + 1), within the circle?
  *            ■            p₀ = 1 − r
  *            ■ (r,0)      p < 0: x stays,  p += 2y + 1
  *                         p ≥ 0: x − 1,    p += 2y + 1 − 2x       (the new x and y)

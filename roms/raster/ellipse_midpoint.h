@@ -5,19 +5,20 @@
  *      2ry²x = 2rx²y ■     p < 0: y stays,  p += 2ry²x + ry²
  *                    ■     p ≥ 0: y − 1,    p += 2ry²x + ry² − 2rx²y     (the new x and y)
  *             region 2,  steep: y − 1 a step; the middle is (x + ½, y − 1)
- *              (rx,0) ■    p₂ = ry² (x + ½)² + rx² (y − 1)² − rx² ry²    exactly, at the first pixel
+ *              (rx,0) ■    p₂ = ry² (x + ½)² + rx² (y − 1)² − rx² ry²    at the first pixel
  *                          p ≥ 0: x stays,  p += rx² − 2rx²y
  *                          p < 0: x + 1,    p += rx² − 2rx²y + 2ry²x
  *
- * Models:     a pixel for each x of region 1 and for each y of region 2, by the sign of the equation at the
- *             middle: within half a pixel of the ellipse, along one of the axes. Region 1 ends when
- *             2ry²x ≥ 2rx²y, which is looked at after a step: its last step may go too far by up to a
- *             pixel, and at a tip sharper than a pixel (rx² < ry) the steps after it, too. A flat ellipse
- *             reaches y = 0 in region 1 before x = rx: its tip is a run of pixels of row 0 (region 3),
- *             without which the outline would be open.
+ * Models:     a pixel for each x of region 1 and for each y of region 2, by the sign of the
+ *             equation at the middle: within half a pixel of the ellipse, along one of the axes.
+ *             Region 1 ends when 2ry²x ≥ 2rx²y, which is looked at after a step: its last step may
+ *             go too far by up to a pixel, and at a tip sharper than a pixel (rx² < ry) the steps
+ *             after it, too. A flat ellipse reaches y = 0 in region 1 before x = rx: its tip is a
+ *             run of pixels of row 0 (region 3), without which the outline would be open.
  *             Quarters: p is kept without the quarter that odd radii give; it changes no sign.
  * Cost:       a step, which lights 4 pixels: 2 comparisons, 3 to 5 additions, of 64 bits each.
- * Domain:     0 ≤ rx, ry ≤ ELLIPSE_LARGEST: p stays below 2^62. A radius 0 is a line, both: a pixel.
+ * Domain:     0 ≤ rx, ry ≤ ELLIPSE_LARGEST: p stays below 2^62. A radius 0 is a line, both: a
+ *             pixel.
  * Units:      pixels, about the origin.
  * Ownership:  plain values.
  * Errors:     none; radii beyond the domain draw nothing.

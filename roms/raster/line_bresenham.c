@@ -8,8 +8,8 @@ static int sign(int v)
     return (v > 0) - (v < 0);
 }
 
-/* Puts it one step before pixel `k`, the shorter axis having stepped `across` times until there. That step
- * is a straight one whatever the line: p is below 0 before it. */
+/* Puts it one step before pixel `k`, the shorter axis having stepped `across` times until there.
+ * That step is a straight one whatever the line: p is below 0 before it. */
 static void stand_before(struct line_bresenham *l, int k, int across, int p)
 {
     l->x += (k - 1) * l->along_x + across * l->across_x;
@@ -34,7 +34,7 @@ void line_bresenham_begin(struct line_bresenham *l, int x0, int y0, int x1, int 
     stand_before(l, 0, 0, 2 * shorter - longer);
 }
 
-/* ---- the part within a window ------------------------------------------------------------------- */
+/* ---- the part within a window ---------------------------------------------------------------- */
 
 struct range {
     int64_t low, high;
@@ -58,8 +58,8 @@ static int64_t quotient_up(int64_t a, int64_t b)
     return a / b + (a % b > 0);
 }
 
-/* The shorter axis has stepped floor((2 short k + long − tie) / 2 long) times at pixel k: the steps k for
- * which that is within low…high. */
+/* The shorter axis has stepped floor((2 short k + long − tie) / 2 long) times at pixel k: the steps
+ * k for which that is within low…high. */
 static struct range while_across(const struct line_bresenham *l, struct range across)
 {
     int64_t twice_short = l->straight, twice_long = l->straight - l->diagonal;

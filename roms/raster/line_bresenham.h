@@ -6,13 +6,13 @@
  *                               p < 0: stays, p += 2 short
  *                               p ≥ 0: steps, p += 2 short − 2 long
  *
- * Models:     the pixel nearest to the line in each column (in each row, where the line is steep), in
- *             all octants, from the first end to the last. A line of length 0 is a pixel.
+ * Models:     the pixel nearest to the line in each column (in each row, where the line is steep),
+ *             in all octants, from the first end to the last. A line of length 0 is a pixel.
  *             Ties: a middle between two pixels, p = 0, steps the shorter axis when the longer axis
- *             increases, and stays when it decreases. Both choose the same pixel: the line from A to B
- *             lights the pixels of the line from B to A.
- * Cost:       a pixel: 1 comparison, 1 addition to p, 1 or 2 to x and y. A line: 6 additions; a line
- *             that is cut to a window: up to 8 multiplications and 4 divisions of 64 bits.
+ *             increases, and stays when it decreases. Both choose the same pixel: the line from A
+ *             to B lights the pixels of the line from B to A.
+ * Cost:       a pixel: 1 comparison, 1 addition to p, 1 or 2 to x and y. A line: 6 additions; a
+ *             line that is cut to a window: up to 8 multiplications and 5 divisions of 64 bits.
  * Domain:     coordinates within ±LINE_FARTHEST.
  * Units:      pixels; either sense of y.
  * Ownership:  plain values.
@@ -41,8 +41,9 @@ struct line_bresenham {
 
 void line_bresenham_begin(struct line_bresenham *l, int x0, int y0, int x1, int y1);
 
-/* Leaves out the pixels before the first and after the last one within the window, edges included; those
- * between are what they were. After line_bresenham_begin, before the first pixel. False: none is within. */
+/* Leaves out the pixels before the first and after the last one within the window, edges included;
+ * those between are what they were. After line_bresenham_begin, before the first pixel. False: none
+ * is within. */
 bool line_bresenham_cut(struct line_bresenham *l, int x_min, int y_min, int x_max, int y_max);
 
 /* Takes the decision: whether the shorter axis steps. */

@@ -8,13 +8,14 @@
  *             rounded, a half upward, for each pixel. From the first end to the last, both drawn.
  * Cost:       a pixel: 2 float additions, 2 roundings (a float addition, a conversion and its
  *             correction each). A line: 2 float divisions.
- * Domain:     coordinates within ±2^22. What n additions lose adds up to n / 2 units of the last binary place
- *             of the greatest coordinate: below 2^13 at most 2^-10 a step, so that long lines drift away.
- * Units:      pixels; the notes' case is named for y up.
+ * Domain:     coordinates within ±2^22. What n additions lose adds up to n / 2 units of the last
+ *             binary place of the greatest coordinate: below 2^13 at most 2^-12 a step, so that
+ *             long lines drift away.
+ * Units:      pixels; cases are named for y up.
  * Ownership:  plain values.
  * Errors:     none. A line of length 0 is a pixel.
- * Source:     J. D. Foley et al., Computer Graphics (1990), section 3.2.1; the name is that of the
- *             machines that integrated by adding, 1950.
+ * Source:     J. D. Foley et al., Computer Graphics (1990), section 3.2.1; the name is that of
+ *             machines that integrated by adding, such as MADDIDA (1949).
  */
 #ifndef ROMS_RASTER_LINE_DDA_H
 #define ROMS_RASTER_LINE_DDA_H
@@ -65,7 +66,8 @@ struct line_case {
     const char *across; /* "x + 1/m": m with its sign */
 };
 
-/* A horizontal line counts as one of positive slope, an upright one, too: upward from left to right. */
+/* A horizontal line counts as one of positive slope, an upright one, too: upward from left to
+ * right. */
 struct line_case line_case_of(int x0, int y0, int x1, int y1);
 
 void canvas_line_dda(const struct canvas *c, int x0, int y0, int x1, int y1, uint32_t colour);

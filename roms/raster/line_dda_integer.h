@@ -1,20 +1,22 @@
 /* line_dda_integer.h — the DDA without floats: increments as whole and fraction parts.
  *
  *      m = dy / n ──one division──▶ │ whole │ fraction / 2^bits │
- *      y: │ whole │ fraction │ ──+ m──▶ the fraction's carry goes to the whole part; a fraction of at
- *                                       least a half plots the next pixel
+ *      y: │ whole │ fraction │ ──+ m──▶ the fraction's carry goes to the whole part; a fraction
+ *                                       of at least a half plots the next pixel
  *
- * Models:     the DDA (line_dda.h) with fractions of a chosen number of bits. From the first end to the last,
- *             both drawn.
- * Cost:       a pixel: 8 additions and shifts of whole numbers. A line: 2 divisions of whole numbers.
- * Domain:     1 to 16 bits of fraction; |dx| and |dy| times 2^bits below 2^30: coordinates within ±2^13 with
- *             LINE_FRACTION_BITS. An increment is wrong by at most 2^-(bits+1), so that pixel k is within
- *             a half and k / 2^(bits+1) of the line; with LINE_FRACTION_BITS a line of 4000 steps is
- *             within 0.531 pixels, and its last pixel is its end.
+ * Models:     the DDA (line_dda.h) with fractions of a chosen number of bits. From the first end to
+ *             the last, both drawn.
+ * Cost:       a pixel: 8 additions and shifts of whole numbers. A line: 2 divisions of whole
+ *             numbers.
+ * Domain:     1 to 16 bits of fraction; |dx| and |dy| times 2^bits below 2^30: coordinates within
+ *             ±2^13 with LINE_FRACTION_BITS. An increment is wrong by at most 2^-(bits+1), so that
+ *             pixel k is within a half and k / 2^(bits+1) of the line; with LINE_FRACTION_BITS a
+ *             line of 4000 steps is within 0.531 pixels, and its last pixel is its end.
  * Units:      pixels; fractions: 2^-bits pixels.
  * Ownership:  plain values.
  * Errors:     none. A line of length 0 is a pixel. Too few bits miss the end: that can be seen.
- * Source:     J. D. Foley et al., Computer Graphics (1990), section 3.2.1; fixed point is older than floats.
+ * Source:     J. D. Foley et al., Computer Graphics (1990), section 3.2.1; fixed point is older
+ *             than floats.
  */
 #ifndef ROMS_RASTER_LINE_DDA_INTEGER_H
 #define ROMS_RASTER_LINE_DDA_INTEGER_H

@@ -1,8 +1,8 @@
 /* plot.h — a pixel and its mirror images about a middle, without a test for each.
  *
- *      (−x, y) ■ │ ■ (x, y)        struct plot: the address of the middle, what a row and a pixel are in
- *      ────────┼────────           bytes; all images lie within the canvas, or plot_begin says no and
- *      (−x,−y) ■ │ ■ (x,−y)        canvas_dot does it
+ *      (−x, y) ■ │ ■ (x, y)        struct plot: the address of the middle; a row and a pixel are
+ *      ────────┼────────           so many bytes. All images lie within the canvas, or plot_begin
+ *      (−x,−y) ■ │ ■ (x,−y)        says no and canvas_dot does it
  *
  * Models:     mirror images in both axes (4), and in the diagonals, too (8); single pixels (1).
  * Cost:       4 images: 1 multiplication, 6 to 10 additions, 4 stores.
@@ -27,7 +27,8 @@ struct plot {
     uint32_t colour;
 };
 
-/* False: some pixel within rx and ry of the middle lies outside, or pixels are smaller than a byte. */
+/* False: some pixel within rx and ry of the middle lies outside, or pixels are smaller than a
+ * byte. */
 static inline bool plot_begin(struct plot *p, const struct canvas *c, int x, int y, int rx, int ry,
                               uint32_t colour)
 {
@@ -48,7 +49,8 @@ static inline void plot_store(uint8_t *at, unsigned bits, uint32_t colour)
         *(uint32_t *)(void *)at = colour;
 }
 
-/* For lines from end to end: one place, and all between the ends lies within the canvas when they do. */
+/* For lines from end to end: one place, and all between the ends lies within the canvas when they
+ * do. */
 static inline bool plot_begin_line(struct plot *p, const struct canvas *c, int x0, int y0, int x1,
                                    int y1, uint32_t colour)
 {

@@ -98,8 +98,8 @@ void grid_rules(const struct grid *g)
     figures(g);
 }
 
-/* Cells too small for rules: the run's middle line on the vector head; on the raster head, too, where cells
- * are smaller than dots. */
+/* Cells too small for rules: the run's middle line on the vector head; on the raster head, too,
+ * where cells are smaller than dots. */
 static void small_run(const struct grid *g, struct point2 low, struct point2 high)
 {
     unsigned heads = g->stage->heads;

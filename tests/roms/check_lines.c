@@ -1,5 +1,5 @@
-/* check_lines — lines, circles and ellipses in the machine: 10000 random cases of each property, in whole
- * numbers. Prints a line a property; exit status 1 when one does not hold. */
+/* check_lines — lines, circles and ellipses in the machine: 10000 random cases of each property, in
+ * whole numbers. Prints a line a property; exit status 1 when one does not hold. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -72,7 +72,7 @@ static bool connected(struct line l, const struct place *p, int count)
     return true;
 }
 
-/* ---- properties of one random case ---------------------------------------------------------------------- */
+/* ---- properties of one random case ----------------------------------------------------------- */
 
 static bool nearest(void)
 {

@@ -1,5 +1,6 @@
 /* Circles and ellipses (roms/raster/circle*, ellipse_midpoint): against the nearest pixel found by
- * trying all, and against the tables of the textbooks. The sources are compiled for this machine. */
+ * trying all, and against the tables of the textbooks. The sources are compiled for this
+ * machine. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,7 +31,7 @@ static int random_within(int low, int high)
     return low + (int)((uint64_t)seed * (uint64_t)(high - low + 1) >> 32);
 }
 
-/* ---- the tables of the textbooks -------------------------------------------------------------------- */
+/* ---- the tables of the textbooks ------------------------------------------------------------- */
 
 static void assert_circle(int r, const int (*want)[3], int rows)
 {
@@ -95,7 +96,7 @@ static void the_ellipse_example(void **state)
     assert_false(ellipse_midpoint_next(&e));
 }
 
-/* ---- the nearest pixel ---------------------------------------------------------------------------------- */
+/* ---- the nearest pixel ----------------------------------------------------------------------- */
 
 /* The whole number nearest to sqrt(r² − x²), by trying all; a half does not occur. */
 static int nearest_on(int r, int x)
@@ -138,7 +139,8 @@ static void large_circles_do_not_overflow(void **state)
         circle_midpoint_begin(&c, radii[i]);
         while (circle_midpoint_next(&c)) {
             int64_t x = c.x + 1, y = c.y;
-            /* p is the circle's equation at the middle that the next step looks at, without its quarter. */
+            /* p is the circle's equation at the middle that the next step looks at, without its
+             * quarter. */
             if (c.k % 1021 == 0 || c.x >= c.y)
                 assert_int_equal(c.p, x * x + y * y - y - r * r);
         }
@@ -224,7 +226,7 @@ static void the_largest_ellipses_do_not_overflow(void **state)
     }
 }
 
-/* ---- into pixels -------------------------------------------------------------------------------------- */
+/* ---- into pixels ----------------------------------------------------------------------------- */
 
 static uint32_t memory[SIDE * SIDE], model[SIDE * SIDE];
 

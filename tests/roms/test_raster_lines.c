@@ -1,5 +1,5 @@
-/* Lines (roms/raster/line*): against exact whole-number arithmetic by another way, and against the tables
- * of the textbooks. The sources are compiled for this machine. */
+/* Lines (roms/raster/line*): against exact whole-number arithmetic by another way, and against the
+ * tables of the textbooks. The sources are compiled for this machine. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -63,7 +63,8 @@ static int dda_integer(struct place *out, int x0, int y0, int x1, int y1, int bi
     return count;
 }
 
-/* Ends, number, steps of 1; the greatest distance along the shorter axis, times twice the longer one. */
+/* Ends, number, steps of 1; the greatest distance along the shorter axis, times twice the longer
+ * one. */
 static int64_t check_line(const struct place *p, int count, int x0, int y0, int x1, int y1)
 {
     int64_t dx = x1 - x0, dy = y1 - y0, longer = llabs(dx) > llabs(dy) ? llabs(dx) : llabs(dy);
@@ -85,7 +86,7 @@ static int64_t check_line(const struct place *p, int count, int x0, int y0, int 
     return worst;
 }
 
-/* ---- the tables of the textbooks -------------------------------------------------------------------- */
+/* ---- the tables of the textbooks ------------------------------------------------------------- */
 
 static void assert_places(const struct place *p, int count, const int (*want)[2], int wanted)
 {
@@ -130,7 +131,7 @@ static void ties_step_the_shorter_axis(void **state)
     assert_places(lit, bresenham(lit, 2, 1, 0, 0), back, 3);
 }
 
-/* ---- properties --------------------------------------------------------------------------------------- */
+/* ---- properties ------------------------------------------------------------------------------ */
 
 /* Small lines all, then random ones. */
 static void each_line(void (*check)(int x0, int y0, int x1, int y1))
@@ -224,7 +225,7 @@ static void the_cases_step_as_they_say(void **state)
     assert_string_equal(seen, letters);
 }
 
-/* ---- cut to a window ---------------------------------------------------------------------------------- */
+/* ---- cut to a window ------------------------------------------------------------------------- */
 
 /* The pixels of the whole line that lie within, one after the other; it may enter only once. */
 static void cut_is_right(int x0, int y0, int x1, int y1, int x_min, int y_min, int x_max, int y_max)
@@ -264,8 +265,8 @@ static void cut_lines_keep_their_pixels(void **state)
     }
 }
 
-/* At the far end of the domain, where the whole line has too many pixels to be gone through: the pixel
- * from its definition, in 64 bits. */
+/* At the far end of the domain, where the whole line has too many pixels to be gone through: the
+ * pixel from its definition, in 64 bits. */
 static void cut_lines_from_far_away(void **state)
 {
     (void)state;
@@ -289,7 +290,7 @@ static void cut_lines_from_far_away(void **state)
     }
 }
 
-/* ---- into pixels -------------------------------------------------------------------------------------- */
+/* ---- into pixels ----------------------------------------------------------------------------- */
 
 static uint32_t memory[SIDE * SIDE + 64];
 
