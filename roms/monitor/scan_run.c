@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "roms/bsp/board.h"
 #include "roms/monitor/keys.h"
 #include "roms/monitor/stepper.h"
 
@@ -116,8 +117,11 @@ static bool ask(struct monitor *m, unsigned number)
         case 'r':
         case 'q':
         case KEYS_ESCAPE:
-        case KEYS_INPUT_END:
             return false;
+        case KEYS_INPUT_END: /* where there is a head somebody may look on */
+            if (!board_has_raster_head() && !board_has_vector_head())
+                return false;
+            break;
         default:
             break;
         }
