@@ -33,7 +33,7 @@
 enum {
     SEGMENTS_MOST = 64,
     SEGMENTS_LEAVING = 64,
-    SEGMENT_RECORDS = 4096,
+    SEGMENT_RECORDS = 2048,
     SEGMENT_RECORD_POINTS = 6,
     SEGMENT_POINTS = STAGE_AREA_CORNERS, /* of a primitive */
     SEGMENT_TEXT = 40,                   /* characters of one */
