@@ -148,6 +148,7 @@ bool segments_redraw(struct segments *s)
     }
     s->damage[page] = (struct segment_box){0};
     stage_page_end(s->stage);
+    s->pictures = s->stage->pictures;
     return true;
 }
 

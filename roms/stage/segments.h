@@ -107,7 +107,7 @@ struct segments {
     int leaving_count;
     struct segment_record record[SEGMENT_RECORDS];
     int free_record;
-    uint32_t pictures;            /* of the stage, when they were drawn on it */
+    unsigned pictures;            /* of the stage, when they were drawn on it */
     struct segment_box damage[2]; /* of the pages */
     bool copy[2];                 /* the page is to be made like the other first */
 };

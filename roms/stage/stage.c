@@ -7,15 +7,16 @@
 #include "roms/bsp/dpu.h"
 #include "roms/bsp/video.h"
 #include "roms/raster/font.h"
+#include "roms/stage/prompt.h"
 
 /* VESA DMT 04h: pixels that a class can see. */
 static const struct video_timing vga = {25175000, 640, 656, 752, 800, 480, 490, 492, 525, 0};
 
 enum {
     HEAD_UNITS = 1024,
-    MESSAGE_BYTES = 64,             /* kept in a part for saying that it is full */
-    TITLE_ROWS = 2 * FONT_HEIGHT,   /* above the picture, of a screen of 480 rows */
-    CAPTION_ROWS = 3 * FONT_HEIGHT, /* below */
+    MESSAGE_BYTES = 64,                 /* kept in a part for saying that it is full */
+    TITLE_ROWS = 2 * FONT_HEIGHT,       /* above the picture, of a screen of 480 rows */
+    CAPTION_ROWS = 4 * FONT_HEIGHT + 4, /* below, with the prompt */
 };
 
 static uint32_t part(int number)
@@ -55,6 +56,7 @@ static void open_vector(struct stage *stage)
     struct display d;
     display_begin(&d, 0, STAGE_PART_LOW);
     display_sync(&d);
+    stage->prompt = stage_prompt_begin(&d);
     display_jump(&d, part(0));
     stage->patch = d.at - 2;
     display_begin(&d, part(0), part(1));
@@ -126,15 +128,36 @@ static void say_full(struct stage *stage)
     canvas_text(&stage->canvas, left, top, 1, 1, INK_RED, text);
 }
 
+/* The count after the store: a retrace between the two is one too many, and only waited for again. */
+static void show_page(struct stage *stage)
+{
+    stage->page_shown = 1 - stage->page_shown;
+    stage_prompt_draw(stage, &stage->page[stage->page_shown]);
+    video_show(&stage->page[stage->page_shown]);
+    stage->flipped = video_retraces();
+    stage->pictures++;
+}
+
+static void show_part(struct stage *stage)
+{
+    stage->part_shown = 1 - stage->part_shown;
+    dpu_memory()[stage->patch / 2] = (uint16_t)part(stage->part_shown);
+}
+
 void stage_end(struct stage *stage)
 {
     if (stage->display.full)
         say_full(stage);
-    stage->part_shown = 1 - stage->part_shown;
     display_jump(&stage->display, stage->chain);
-    dpu_memory()[stage->patch / 2] = (uint16_t)part(stage->part_shown);
-    stage->pictures++;
-    stage_page_end(stage);
+    show_part(stage);
+    show_page(stage);
+}
+
+void stage_flip(struct stage *stage)
+{
+    wait_for_page(stage);
+    show_part(stage);
+    show_page(stage);
 }
 
 void stage_chain(struct stage *stage, uint32_t address)
@@ -148,12 +171,9 @@ void stage_page_begin(struct stage *stage)
     stage->canvas = stage->page[1 - stage->page_shown];
 }
 
-/* The count after the store: a retrace between the two is one too many, and only waited for again. */
 void stage_page_end(struct stage *stage)
 {
-    stage->page_shown = 1 - stage->page_shown;
-    video_show(&stage->canvas);
-    stage->flipped = video_retraces();
+    show_page(stage);
 }
 
 /* ---- what primitives are drawn with ---------------------------------------------------------------- */

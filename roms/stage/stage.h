@@ -6,7 +6,7 @@
  *      │     picture, stage units      │      one store
  *      │                               │
  *      │ (0,0)                (1200,0) │      what is drawn between stage_begin and stage_end is
- *      └─────────── caption ───────────┘      shown whole or not at all
+ *      └────── caption, prompt ────────┘      shown whole or not at all; the prompt at once
  *
  * Models:     the output primitives of graphics packages: polyline, marker, fill area, text (ISO 7942,
  *             GKS), with a driver for each head: into pixels by scan conversion (roms/raster), into
@@ -32,6 +32,7 @@
 #include "roms/stage/ink.h"
 
 enum { STAGE_WIDTH = 1200, STAGE_HEIGHT = 800 };
+enum { STAGE_PROMPT = 70 }; /* characters of a prompt, at most */
 enum { STAGE_RASTER = 1, STAGE_VECTOR = 2, STAGE_BOTH = 3 };
 /* As the VT11 has them: the same on both heads. */
 enum stage_line_type {
@@ -48,7 +49,7 @@ enum { STAGE_AREA_CORNERS = 128 };
 /* Display memory: the pictures that stage_begin and stage_end make, then room for display files of
  * others (stage_chain); byte addresses. */
 enum {
-    STAGE_PART_LOW = 0x0010,
+    STAGE_PART_LOW = 0x0100, /* before it: wait for the tick, prompt, jump to the part shown */
     STAGE_PART_BYTES = 0x6000,
     STAGE_FREE_LOW = STAGE_PART_LOW + 2 * STAGE_PART_BYTES,
     STAGE_FREE_HIGH = 0x10000
@@ -59,19 +60,21 @@ struct stage {
     struct display display; /* the words that are being written */
     unsigned heads;         /* those that the primitives go to, STAGE_… */
     enum ink ink;
+    unsigned pictures; /* that were shown */
     enum stage_line_type line_type;
     float hatch_degrees, hatch_apart; /* of areas on the vector head; 0 apart: none */
     /* Private. */
     struct canvas page[2];
     float left, bottom,
-        dots;       /* of the picture on the canvas: dots, rows from the top; dots a unit */
-    float units;    /* head units a stage unit */
-    uint32_t patch; /* where the display file jumps to the part that is shown */
-    uint32_t chain; /* where the part goes on; 0: nowhere */
+        dots;        /* of the picture on the canvas: dots, rows from the top; dots a unit */
+    float units;     /* head units a stage unit */
+    uint32_t patch;  /* where the display file jumps to the part that is shown */
+    uint32_t chain;  /* where the part goes on; 0: nowhere */
+    uint32_t prompt; /* where the prompt's characters are */
+    char prompted[STAGE_PROMPT + 1];
     int page_shown, part_shown;
     uint32_t flipped;       /* retraces when the page was given */
-    uint32_t pictures;      /* ended so far */
-    bool full;              /* the last one */
+    bool full;              /* the last picture */
     const void *tenant;     /* whose display files are in STAGE_FREE_LOW… */
     int intensity, type;    /* as the words before have them; -1: not known */
     struct point2 dash_end; /* of the broken line before, which the next may go on with */
@@ -94,6 +97,12 @@ void stage_chain(struct stage *stage, uint32_t address);
  * The vector head goes on with its picture. Not between stage_begin and stage_end. */
 void stage_page_begin(struct stage *stage);
 void stage_page_end(struct stage *stage);
+
+/* Shows the picture before the last one again, and takes this one back into store. */
+void stage_flip(struct stage *stage);
+
+/* A line under every picture, shown at once: what is being typed. */
+void stage_prompt(struct stage *stage, const char *text);
 
 /* The heads that primitives go to from now on; stage_begin: both. */
 void stage_heads(struct stage *stage, unsigned heads);
