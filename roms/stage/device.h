@@ -13,7 +13,11 @@
 
 #include "roms/stage/stage.h"
 
-enum { DEVICE_FARTHEST = 1000000, DEVICE_CHARACTER = 14 /* advance, head units */ };
+enum {
+    DEVICE_FARTHEST = 1000000,
+    DEVICE_UNITS = 1024,   /* of the vector head, either way */
+    DEVICE_CHARACTER = 14, /* advance of a character, head units */
+};
 
 /* Finite, and not so far that whole numbers overflow. */
 static inline bool device_sane(struct point2 p)

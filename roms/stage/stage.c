@@ -7,13 +7,13 @@
 #include "roms/bsp/dpu.h"
 #include "roms/bsp/video.h"
 #include "roms/raster/font.h"
+#include "roms/stage/device.h"
 #include "roms/stage/prompt.h"
 
 /* VESA DMT 04h: pixels that a class can see. */
 static const struct video_timing vga = {25175000, 640, 656, 752, 800, 480, 490, 492, 525, 0};
 
 enum {
-    HEAD_UNITS = 1024,
     MESSAGE_BYTES = 64,                 /* kept in a part for saying that it is full */
     TITLE_ROWS = 2 * FONT_HEIGHT,       /* above the picture, of a screen of 480 rows */
     CAPTION_ROWS = 4 * FONT_HEIGHT + 4, /* below, with the prompt */
@@ -35,7 +35,7 @@ static void place_picture(struct stage *stage)
     /* A multiple of 4, as canvases begin: stage_picture. */
     stage->left = 4 * floorf(((float)c->width - stage->dots * STAGE_WIDTH) / 8);
     stage->bottom = floorf((float)(scale * TITLE_ROWS) + (rows + stage->dots * STAGE_HEIGHT) / 2);
-    stage->units = (float)HEAD_UNITS / STAGE_WIDTH;
+    stage->units = (float)DEVICE_UNITS / STAGE_WIDTH;
 }
 
 static void open_raster(struct stage *stage)
@@ -122,7 +122,7 @@ static void say_full(struct stage *stage)
     stage->display.full = false;
     stage->display.end += MESSAGE_BYTES;
     display_intensity(&stage->display, ink_intensity(INK_RED));
-    display_text(&stage->display, 8, HEAD_UNITS / 8, text);
+    display_text(&stage->display, 8, DEVICE_UNITS / 8, text);
     stage_picture(stage, &left, &top);
     canvas_fill(&stage->canvas, left, top, FONT_WIDTH * 22, FONT_HEIGHT, INK_BLACK);
     canvas_text(&stage->canvas, left, top, 1, 1, INK_RED, text);
@@ -239,5 +239,5 @@ float stage_head_x(const struct stage *stage, float x)
 
 float stage_head_y(const struct stage *stage, float y)
 {
-    return (HEAD_UNITS - STAGE_HEIGHT * stage->units) / 2 + y * stage->units;
+    return (DEVICE_UNITS - STAGE_HEIGHT * stage->units) / 2 + y * stage->units;
 }

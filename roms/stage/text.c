@@ -5,7 +5,7 @@
 #include "roms/raster/font.h"
 #include "roms/stage/device.h"
 
-enum { LONGEST = 128, HEAD_UNITS = 1024, ASCENT = 14 /* of a character, head units */ };
+enum { LONGEST = 128, ASCENT = 14 /* of a character, head units */ };
 
 /* Pixels a dot of the font. */
 static int font_scale(const struct stage *s)
@@ -55,7 +55,7 @@ static void vector_text(struct stage *s, float x, float y, const char *text)
 {
     char part[LONGEST];
     int at = device_head_x(s, x), base = device_head_y(s, y);
-    cut(text, &at, DEVICE_CHARACTER, 0, HEAD_UNITS, part);
+    cut(text, &at, DEVICE_CHARACTER, 0, DEVICE_UNITS, part);
     if (level(&base, ASCENT, device_head_y(s, 0), device_head_y(s, STAGE_HEIGHT)) &&
         part[0] != '\0')
         display_text(&s->display, at, base, part);
@@ -110,7 +110,7 @@ void stage_title(struct stage *s, const char *text)
     canvas_text_middle(&s->canvas, s->canvas.width / 2, twice > scale ? 0 : 6 * scale, twice, twice,
                        INK_BRIGHT, text);
     around(s, INK_BRIGHT);
-    display_text(&s->display, (HEAD_UNITS - length * DEVICE_CHARACTER) / 2, 960, text);
+    display_text(&s->display, (DEVICE_UNITS - length * DEVICE_CHARACTER) / 2, 960, text);
     stage_ink(s, ink);
 }
 
@@ -152,7 +152,7 @@ static void raster_caption(struct stage *s, int line, const char *text)
 
 static void vector_caption(struct stage *s, int line, const char *text)
 {
-    display_text(&s->display, (HEAD_UNITS - (int)strlen(text) * DEVICE_CHARACTER) / 2,
+    display_text(&s->display, (DEVICE_UNITS - (int)strlen(text) * DEVICE_CHARACTER) / 2,
                  90 - 40 * line, text);
 }
 
@@ -162,6 +162,6 @@ void stage_caption(struct stage *s, const char *text)
     enum ink ink = s->ink;
     caption_lines(s, text, s->canvas.width / (FONT_WIDTH * font_scale(s)) - MARGIN, raster_caption);
     around(s, INK_TEXT);
-    caption_lines(s, text, HEAD_UNITS / DEVICE_CHARACTER - MARGIN, vector_caption);
+    caption_lines(s, text, DEVICE_UNITS / DEVICE_CHARACTER - MARGIN, vector_caption);
     stage_ink(s, ink);
 }
