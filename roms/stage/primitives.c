@@ -107,7 +107,7 @@ void stage_line(struct stage *s, float x0, float y0, float x1, float y1)
     if (s->line_type == STAGE_SOLID) {
         solid(s, s->heads, a, b);
     } else if ((s->heads & STAGE_VECTOR) && breaks_itself(s, a, b)) {
-        vector_line(s, a, b, s->line_type);
+        vector_line(s, a, b, (int)s->line_type);
         broken(s, s->heads & STAGE_RASTER, a, b);
     } else {
         broken(s, s->heads, a, b);

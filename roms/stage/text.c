@@ -5,7 +5,7 @@
 #include "roms/raster/font.h"
 #include "roms/stage/device.h"
 
-enum { LONGEST = 128, ASCENT = 14 /* of a character, head units */ };
+enum { LONGEST = 128, ASCENT = 14, DESCENT = 4 /* of a character, head units */ };
 
 /* Pixels a dot of the font. */
 static int font_scale(const struct stage *s)
@@ -47,7 +47,7 @@ static void raster_text(struct stage *s, float x, float y, const char *text)
     struct canvas c = stage_picture(s, &left, &top);
     int at = device_dot(s, x), row = device_row(s, y) - (FONT_HEIGHT - 2) * scale;
     cut(text, &at, FONT_WIDTH * scale, left, left + c.width, part);
-    if (level(&row, (FONT_HEIGHT - 2) * scale, top, top + c.height))
+    if (level(&row, FONT_HEIGHT * scale, top, top + c.height))
         canvas_text(&s->canvas, at, row, scale, scale, s->ink, part);
 }
 

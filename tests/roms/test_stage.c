@@ -249,7 +249,7 @@ static void text_stays_in_the_picture(void **state)
     for (int k = 0; k < 600; k++) {
         stage_begin(&stage);
         float x = random_between(-300, 1400), y = random_between(-60, 860);
-        stage_text(&stage, x, y, "ABCDEFGHIJ");
+        stage_text(&stage, x, y, "ABCDEFGhgj");
         assert_nothing_beside();
         decode_picture();
         int expected = 0, at = (int)floorf(x * 1024 / 1200 + 0.5f);
