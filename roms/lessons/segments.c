@@ -257,7 +257,7 @@ enum { CHAPTERS = 5, COMPACTION = 4 };
 static const char *const captions[CHAPTERS] = {
     "Each part is a segment with a name, and moves by its own image transformation",
     "New words go into free memory; one store leads the jump before them there",
-    "Red (broken): old words, free again when the display processor has left them",
+    "Red: old words, free when the display processor has left them",
     "Smoke is made and deleted: holes of all sizes",
     "Compaction: the segments are moved together, and there is one hole",
 };
@@ -450,7 +450,7 @@ static float draw(void *state, struct stage *stage, float seconds)
     draw_memory(stage, &l->memory);
     stage_title(stage, "A segmented display file");
     stage_caption(stage, captions[l->chapter]);
-    return 1.0f / 30;
+    return 0;
 }
 
 extern const struct lesson lesson_segments;

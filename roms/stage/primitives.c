@@ -100,10 +100,12 @@ static bool breaks_itself(const struct stage *s, struct point2 a, struct point2 
 void stage_line(struct stage *s, float x0, float y0, float x1, float y1)
 {
     struct point2 a = {x0, y0}, b = {x1, y1};
-    if (!device_sane(a) || !device_sane(b) || !clip_liang_barsky(&picture, &a, &b))
-        return;
-    a = device_inside(a);
-    b = device_inside(b);
+    if (!clip_point(&picture, a) || !clip_point(&picture, b)) { /* most lines lie within */
+        if (!device_sane(a) || !device_sane(b) || !clip_liang_barsky(&picture, &a, &b))
+            return;
+        a = device_inside(a);
+        b = device_inside(b);
+    }
     if (s->line_type == STAGE_SOLID) {
         solid(s, s->heads, a, b);
     } else if ((s->heads & STAGE_VECTOR) && breaks_itself(s, a, b)) {
