@@ -242,6 +242,7 @@ int main(void)
     stage_end(&stage);
     for (int i = 0; i < OPERATIONS; i++) {
         operate();
+        segments_release(&store); /* at once, where the display processor may still be */
         look_at_holes();
         follow_chain();
         if (i % 8 == 0 && store.count > 0) {
