@@ -9,6 +9,7 @@
 #include "roms/stage/segments.h"
 
 #define DEGREE   0.017453293f
+#define LARGEST  1e6f  /* element of a transformation */
 #define APERTURE 12.0f /* of the pick, stage units */
 
 /* The console's, made by the first command. */
@@ -17,6 +18,7 @@ static struct segments *store(struct monitor *m)
     static struct segments segments;
     if (segments.stage == NULL)
         segments_begin(&segments, &m->stage, SEGMENTS_BYTES_MOST);
+    segments_settle(&segments); /* so that addresses do not depend on when one types */
     return &segments;
 }
 
@@ -298,11 +300,11 @@ static bool operation(struct words *w, struct matrix3 *op)
     return words_refuse(w, "\"%.40s\" is not identity, translate, scale or rotate", words_peek(w));
 }
 
-static bool is_finite(const struct matrix3 *t)
+static bool is_reasonable(const struct matrix3 *t)
 {
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++)
-            if (!isfinite(t->at[i][k]))
+            if (!(fabsf(t->at[i][k]) <= LARGEST))
                 return false;
     return true;
 }
@@ -326,7 +328,7 @@ static bool transform(struct monitor *m, struct words *w)
     } while (words_take(w, "then"));
     if (!words_end(w))
         return false;
-    if (!is_finite(&t))
+    if (!is_reasonable(&t))
         return words_refuse(w, "the transformation is too large");
     enum segment_status status = segment_set_transform(store(m), n, &t);
     if (status == SEGMENT_OK)

@@ -255,7 +255,7 @@ enum { CHAPTERS = 5, COMPACTION = 4 };
 #define PAUSE_SECONDS   2.0f
 
 static const char *const captions[CHAPTERS] = {
-    "Each part is a segment with a name, and moves by its own image transformation",
+    "Each part is a segment: it has a name and a transformation of its own",
     "New words go into free memory; one store leads the jump before them there",
     "Red: old words, free when the display processor has left them",
     "Smoke is made and deleted: holes of all sizes",

@@ -159,8 +159,10 @@ static void x_axis(const struct graph *g, float step, float y0)
     for (int i = 0; i < t.count; i++) {
         float k = t.first + (float)i;
         struct point2 at = graph_place(g, (struct point2){k * step, y0});
+        stage_ink(g->stage, INK_GRID);
         stage_line(g->stage, at.x, at.y - TICK, at.x, at.y + TICK);
         figure(text, k * step, step);
+        stage_ink(g->stage, INK_TEXT);
         if (k != 0 && fmodf(k, (float)n) == 0)
             stage_text_middle(g->stage, at.x, at.y - g->bottom < 36 ? at.y + 14 : at.y - 32, text);
     }
@@ -174,7 +176,9 @@ static void y_axis(const struct graph *g, float step, float x0)
     for (int i = 0; i < t.count; i++) {
         float k = t.first + (float)i;
         struct point2 at = graph_place(g, (struct point2){x0, k * step});
+        stage_ink(g->stage, INK_GRID);
         stage_line(g->stage, at.x - TICK, at.y, at.x + TICK, at.y);
+        stage_ink(g->stage, INK_TEXT);
         float wide = (float)(figure(text, k * step, step) * STAGE_CHARACTER);
         float left = at.x - TICK - 6 - wide;
         if (k != 0)

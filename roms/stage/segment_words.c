@@ -55,7 +55,7 @@ void segments_release(struct segments *s)
 }
 
 /* A refresh at most; for ever if somebody has stopped the display processor there: then not. */
-static void wait_until_left(struct segments *s)
+void segments_settle(struct segments *s)
 {
     for (int i = 0; i < LONGEST_WAIT && s->leaving_count > 0; i++)
         segments_release(s);
@@ -66,7 +66,7 @@ static bool may_leave(struct segments *s)
 {
     segments_release(s);
     if (s->leaving_count == SEGMENTS_LEAVING)
-        wait_until_left(s);
+        segments_settle(s);
     return s->leaving_count < SEGMENTS_LEAVING;
 }
 
@@ -123,7 +123,7 @@ static bool place_somehow(struct segments *s, int i, struct segment *g)
 {
     if (place(s, i, g))
         return true;
-    wait_until_left(s);
+    segments_settle(s);
     if (place(s, i, g))
         return true;
     if (s->free.holes < 2)
@@ -177,7 +177,7 @@ static void move(struct segments *s, int i, uint32_t to)
     leave(s, g);
     lead(jump_before(s, i), to);
     g->at = to;
-    wait_until_left(s);
+    segments_settle(s);
 }
 
 static int segment_above(const struct segments *s, const struct extent *hole)
@@ -192,7 +192,7 @@ static int segment_above(const struct segments *s, const struct extent *hole)
  * which makes the hole larger than it: so this ends. */
 void segments_compact(struct segments *s)
 {
-    wait_until_left(s);
+    segments_settle(s);
     for (int rounds = 0; rounds < 4 * SEGMENTS_MOST && s->free.holes > 0; rounds++) {
         struct extent hole = s->free.hole[0];
         int i = segment_above(s, &hole), k = s->free.holes - 1;
@@ -235,7 +235,7 @@ void segment_words_take(struct segments *s)
         return;
     s->stage->tenant = s;
     clear(s);
-    wait_until_left(s);
+    segments_settle(s);
     for (int i = 0; i < s->count; i++)
         s->table[i].at = s->table[i].bytes = 0;
     for (int i = 0; i < s->count; i++) {

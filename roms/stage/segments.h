@@ -148,6 +148,8 @@ const struct segment *segment_at(const struct segments *s, struct point2 place, 
 void segments_compact(struct segments *s);
 /* Frees what the display processor has left; it is tried whenever room is needed, too. */
 void segments_release(struct segments *s);
+/* Waits until all that was left is free: a refresh at most. */
+void segments_settle(struct segments *s);
 
 /* Between stage_begin and stage_end: this picture shows the segments. */
 void segments_draw(struct segments *s);

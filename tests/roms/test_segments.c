@@ -415,7 +415,7 @@ static void random_operations_keep_to_the_model(void **state)
         assert_true(watch.refreshes > 100 && watch.entered > 1000);
         while (model.count > 0)
             delete (model.order[0]);
-        wait_until_left(&store);
+        segments_settle(&store);
         assert_int_equal(store.free.holes, 1);
         assert_int_equal(store.free.hole[0].at, store.low + FIXED);
         assert_int_equal(store.free.hole[0].size, store.high - store.low - FIXED);
@@ -438,7 +438,7 @@ static void compaction_makes_one_hole(void **state)
         for (int name = 1; name <= 30; name += 1 + (int)random_below(3))
             if (model.segment[name].exists)
                 delete (name);
-        wait_until_left(&store);
+        segments_settle(&store);
         uint32_t free = free_store_total(&store.free);
         segments_compact(&store);
         assert_all(true);
@@ -465,7 +465,7 @@ static void words_that_are_never_left_are_never_used(void **state)
     assert_true(store.leaving_count > 0 && store.leaving[0].at == in.at);
     assert_all(true);
     rig.runs = true;
-    wait_until_left(&store);
+    segments_settle(&store);
     transform(1);
     assert_all(true);
     assert_int_equal(store.leaving_count, 1);
