@@ -53,7 +53,7 @@ static bool name_only(struct words *w, int *n)
     return name(w, n) && words_end(w);
 }
 
-/* ---- making, deleting ---------------------------------------------------------------------------------- */
+/* ---- making, deleting ------------------------------------------------------------------------ */
 
 static bool create(struct monitor *m, struct words *w)
 {
@@ -108,7 +108,7 @@ static bool compact(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- primitives ------------------------------------------------------------------------------------------ */
+/* ---- primitives ------------------------------------------------------------------------------ */
 
 static const struct {
     const char *name;
@@ -212,7 +212,7 @@ static bool text(struct monitor *m, struct words *w)
     return put(m, segment_put_text(store(m), at, all));
 }
 
-/* ---- attributes ------------------------------------------------------------------------------------------- */
+/* ---- attributes ------------------------------------------------------------------------------ */
 
 static bool on_or_off(struct words *w, int *flag)
 {
@@ -350,7 +350,7 @@ static bool pick(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- looking ------------------------------------------------------------------------------------------------ */
+/* ---- looking --------------------------------------------------------------------------------- */
 
 static bool at(struct monitor *m, struct words *w)
 {
@@ -417,7 +417,7 @@ static bool words(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- the command ---------------------------------------------------------------------------------------------- */
+/* ---- the command ----------------------------------------------------------------------------- */
 
 static const struct {
     const char *name, *form;

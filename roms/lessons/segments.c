@@ -9,7 +9,8 @@
  * Models:     what a segmented display file does with its memory (roms/stage/segments.h).
  * Ownership:  static storage.
  * Errors:     smoke that finds no room is not made.
- * Source:     W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics (1979), ch. 8.
+ * Source:     W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics (1979),
+ *             chapter 8.
  */
 #include <math.h>
 #include <stddef.h>
@@ -77,7 +78,7 @@ static enum ink ink_of(int name)
     return name < SMOKE ? inks[name] : INK_VIOLET;
 }
 
-/* ---- making the parts ----------------------------------------------------------------------------------- */
+/* ---- making the parts ------------------------------------------------------------------------ */
 
 static void put_circle(struct segments *s, float x, float y, float radius, int sides)
 {
@@ -181,7 +182,7 @@ static void make_all(struct lesson_state *l, struct stage *stage)
     l->made = true;
 }
 
-/* ---- what moves ---------------------------------------------------------------------------------------------- */
+/* ---- what moves ------------------------------------------------------------------------------ */
 
 static struct matrix3 placed(float x, float y, float scale, float turns)
 {
@@ -248,7 +249,7 @@ static void move_smoke(struct lesson_state *l, float seconds)
     }
 }
 
-/* ---- chapters ------------------------------------------------------------------------------------------------- */
+/* ---- chapters -------------------------------------------------------------------------------- */
 
 enum { CHAPTERS = 5, COMPACTION = 4 };
 #define CHAPTER_SECONDS 6.0f
@@ -290,7 +291,7 @@ static void run(struct lesson_state *l, float seconds)
     move_smoke(l, seconds);
 }
 
-/* ---- memory ------------------------------------------------------------------------------------------------------ */
+/* ---- memory ---------------------------------------------------------------------------------- */
 
 enum { MAP_LEFT = 30, MAP_BOTTOM = 125, MAP_WIDTH = 1140, MAP_HEIGHT = 100 };
 #define SNAPSHOT_SECONDS 0.5f
@@ -396,7 +397,7 @@ static void draw_memory(struct stage *stage, const struct snapshot *m)
     stage_text(stage, MAP_LEFT, MAP_BOTTOM + MAP_HEIGHT + 14, text);
 }
 
-/* ---- the lesson -------------------------------------------------------------------------------------------------- */
+/* ---- the lesson ------------------------------------------------------------------------------ */
 
 static void begin(void *state)
 {

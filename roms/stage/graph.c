@@ -6,8 +6,8 @@
 
 /* Beyond these a point of the world is not looked at: squares and differences stay finite. */
 #define FARTHEST 1e15f
-/* A window is not narrower than this part of its distance from the origin: floats must tell its ends
- * apart. */
+/* A window is not narrower than this part of its distance from the origin: floats must tell its
+ * ends apart. */
 #define NARROWEST 1e-5f
 
 struct box {
@@ -99,7 +99,7 @@ void graph_text(const struct graph *g, struct point2 at, const char *text)
     stage_text(g->stage, at.x + 10, at.y + 8, text);
 }
 
-/* ---- axes --------------------------------------------------------------------------------------- */
+/* ---- axes ------------------------------------------------------------------------------------ */
 
 enum { APART = 110, TICK = 6, MOST_TICKS = 64, FIGURE = 16 };
 

@@ -6,8 +6,8 @@
  *             their figures, as many as stand clear of each other.
  * Units:      world: the caller's; viewport: stage units (stage.h).
  * Ownership:  plain value; the stage must outlive it.
- * Errors:     none: an empty window, and one that floats cannot divide, is widened; points that are not
- *             finite, or beyond 1e15, are not looked at.
+ * Errors:     none: an empty window, and one that floats cannot divide, is widened; points that are
+ *             not finite, or beyond 1e15, are not looked at.
  */
 #ifndef ROMS_STAGE_GRAPH_H
 #define ROMS_STAGE_GRAPH_H

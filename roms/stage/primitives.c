@@ -10,7 +10,7 @@ enum { MARKER = 7 /* half of a marker's arm, stage units */ };
 
 static const struct clip_window picture = {0, 0, STAGE_WIDTH, STAGE_HEIGHT};
 
-/* ---- lines -------------------------------------------------------------------------------------- */
+/* ---- lines ----------------------------------------------------------------------------------- */
 
 static void raster_line(struct stage *s, struct point2 a, struct point2 b)
 {
@@ -47,7 +47,7 @@ static void solid(struct stage *s, unsigned heads, struct point2 a, struct point
         vector_line(s, a, b, STAGE_SOLID);
 }
 
-/* ---- broken lines --------------------------------------------------------------------------------- */
+/* ---- broken lines ---------------------------------------------------------------------------- */
 
 enum { DASHES = 4, LONGEST_PERIOD = 32 };
 #define SHORTEST_DASH 0.01f /* what rounding leaves of one is not drawn alone */
@@ -135,7 +135,7 @@ void stage_rectangle(struct stage *s, float x, float y, float width, float heigh
     stage_polygon(s, corners, 4);
 }
 
-/* ---- areas -------------------------------------------------------------------------------------- */
+/* ---- areas ----------------------------------------------------------------------------------- */
 
 /* An upright rectangle, which many areas are, has a short cut to the same pixels. */
 static bool upright(const struct point2 *p, int count)
@@ -185,7 +185,7 @@ void stage_area(struct stage *s, const struct point2 *p, int count)
     stage_heads(s, heads);
 }
 
-/* ---- markers ------------------------------------------------------------------------------------ */
+/* ---- markers --------------------------------------------------------------------------------- */
 
 void stage_marker(struct stage *s, float x, float y)
 {

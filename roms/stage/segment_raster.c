@@ -1,5 +1,5 @@
-/* segment_raster.c — segments on the raster head: where they are, what is to be drawn anew; and what is
- * at a place, for picking. */
+/* segment_raster.c — segments on the raster head: where they are, what is to be drawn anew; and
+ * what is at a place, for picking. */
 #include <math.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@
 /* Beyond its points a segment reaches by a marker's arm, or the height of a line of text. */
 enum { REACH = 10, TEXT_REACH = 2 * STAGE_TEXT_LINE };
 
-/* ---- boxes ---------------------------------------------------------------------------------------------- */
+/* ---- boxes ----------------------------------------------------------------------------------- */
 
 static bool is_empty(struct segment_box b)
 {
@@ -80,7 +80,7 @@ void segment_raster_damage(struct segments *s, struct segment_box box)
         s->damage[page] = join(s->damage[page], box);
 }
 
-/* ---- drawing -------------------------------------------------------------------------------------------- */
+/* ---- drawing --------------------------------------------------------------------------------- */
 
 static void draw_within(struct segments *s, struct segment_box box)
 {
@@ -152,7 +152,7 @@ bool segments_redraw(struct segments *s)
     return true;
 }
 
-/* ---- picking --------------------------------------------------------------------------------------------- */
+/* ---- picking --------------------------------------------------------------------------------- */
 
 static float distance_to_line(struct point2 p, struct point2 a, struct point2 b)
 {

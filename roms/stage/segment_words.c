@@ -1,9 +1,10 @@
-/* segment_words.c — the words of segments in display memory: written, chained by jumps, and freed. */
+/* segment_words.c — the words of segments in display memory: written, chained by jumps, and
+ * freed. */
 #include "roms/bsp/dpu.h"
 #include "roms/stage/segment_parts.h"
 
-/* The area begins with the root, a jump to the first segment, and the end, which undoes what segments
- * have set and jumps back. */
+/* The area begins with the root, a jump to the first segment, and the end, which undoes what
+ * segments have set and jumps back. */
 enum { ROOT_BYTES = 4, END_BYTES = 6, FIXED_BYTES = ROOT_BYTES + END_BYTES, LONGEST_WAIT = 100000 };
 
 /* All that a mode word can set, so that a segment does not depend on the one before it. */
@@ -19,7 +20,7 @@ static void lead(uint32_t jump_end, uint32_t to)
     dpu_memory()[(jump_end - 2) / 2] = (uint16_t)to;
 }
 
-/* ---- the chain ------------------------------------------------------------------------------------ */
+/* ---- the chain ------------------------------------------------------------------------------- */
 
 /* The end of the jump before the i-th segment's place. */
 static uint32_t jump_before(const struct segments *s, int i)
@@ -39,7 +40,7 @@ static uint32_t next_of(const struct segments *s, int i)
     return end_of(s);
 }
 
-/* ---- memory that is left ----------------------------------------------------------------------------- */
+/* ---- memory that is left --------------------------------------------------------------------- */
 
 /* No jump of the chain leads into these any more, but they may lead into each other: they are free
  * together, at a moment when the display processor is in none of them. */
@@ -76,7 +77,7 @@ static void leave(struct segments *s, const struct segment *g)
         s->leaving[s->leaving_count++] = (struct extent){g->at, g->bytes};
 }
 
-/* ---- words ---------------------------------------------------------------------------------------- */
+/* ---- words ----------------------------------------------------------------------------------- */
 
 /* What a segment begins with. */
 static uint16_t setting(const struct segment *g)
@@ -164,7 +165,7 @@ enum segment_status segment_words_remove(struct segments *s, int i)
     return SEGMENT_OK;
 }
 
-/* ---- moving together ---------------------------------------------------------------------------------- */
+/* ---- moving together ------------------------------------------------------------------------- */
 
 static void move(struct segments *s, int i, uint32_t to)
 {
@@ -188,8 +189,8 @@ static int segment_above(const struct segments *s, const struct extent *hole)
     return -1;
 }
 
-/* The segment above the lowest hole goes down into it; one that is too large goes out of the way first,
- * which makes the hole larger than it: so this ends. */
+/* The segment above the lowest hole goes down into it; one that is too large goes out of the way
+ * first, which makes the hole larger than it: so this ends. */
 void segments_compact(struct segments *s)
 {
     segments_settle(s);
@@ -211,9 +212,10 @@ void segments_compact(struct segments *s)
     }
 }
 
-/* ---- taking display memory ------------------------------------------------------------------------------ */
+/* ---- taking display memory ------------------------------------------------------------------- */
 
-/* The last picture may still lead here: to the end, which is always the same words at the same place. */
+/* The last picture may still lead here: to the end, which is always the same words at the same
+ * place. */
 static void clear(struct segments *s)
 {
     volatile uint16_t *end = dpu_memory() + end_of(s) / 2, *root = dpu_memory() + s->low / 2;

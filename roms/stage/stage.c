@@ -74,7 +74,7 @@ void stage_open(struct stage *stage)
     display_begin(&stage->display, part(1), part(1)); /* takes nothing before stage_begin */
 }
 
-/* ---- pictures ----------------------------------------------------------------------------------- */
+/* ---- pictures -------------------------------------------------------------------------------- */
 
 /* The page that was given is on the screen: the other one may be written. */
 static void wait_for_page(const struct stage *stage)
@@ -128,7 +128,8 @@ static void say_full(struct stage *stage)
     canvas_text(&stage->canvas, left, top, 1, 1, INK_RED, text);
 }
 
-/* The count after the store: a retrace between the two is one too many, and only waited for again. */
+/* The count after the store: a retrace between the two is one too many, and only waited for
+ * again. */
 static void show_page(struct stage *stage)
 {
     stage->page_shown = 1 - stage->page_shown;
@@ -176,7 +177,7 @@ void stage_page_end(struct stage *stage)
     show_page(stage);
 }
 
-/* ---- what primitives are drawn with ---------------------------------------------------------------- */
+/* ---- what primitives are drawn with ---------------------------------------------------------- */
 
 void stage_heads(struct stage *stage, unsigned heads)
 {
@@ -204,7 +205,7 @@ void stage_hatch(struct stage *stage, float degrees, float apart)
     stage->hatch_apart = apart;
 }
 
-/* ---- where places are ------------------------------------------------------------------------------ */
+/* ---- where places are ------------------------------------------------------------------------ */
 
 struct canvas stage_picture(const struct stage *stage, int *left, int *top)
 {

@@ -8,17 +8,18 @@
  *      │ (0,0)                (1200,0) │      what is drawn between stage_begin and stage_end is
  *      └────── caption, prompt ────────┘      shown whole or not at all; the prompt at once
  *
- * Models:     the output primitives of graphics packages: polyline, marker, fill area, text (ISO 7942,
- *             GKS), with a driver for each head: into pixels by scan conversion (roms/raster), into
- *             display-file words (roms/bsp/display.h). Lines are clipped to the picture.
+ * Models:     the output primitives of graphics packages: polyline, marker, fill area, text (ISO
+ *             7942, GKS), with a driver for each head: into pixels by scan conversion
+ *             (roms/raster), into display-file words (roms/bsp/display.h). Lines are clipped to the
+ *             picture.
  * Units:      stage units: 1200 across, 800 up, origin bottom left, y up; square on both heads.
- * Ownership:  plain value, one for the program; it has the whole refresh buffer, the look-up table and
- *             display memory.
- * Errors:     a head that is not there takes everything and keeps nothing. Words that do not fit into
- *             display memory are left out; stage_full tells, and so does the picture. Places that are
- *             not finite, or beyond a million, are left out.
- * Not modelled: areas on the vector head: their outline is drawn, hatched when asked. Display memory of
- *             less than 64 KiB.
+ * Ownership:  plain value, one for the program; it has the whole refresh buffer, the look-up table
+ *             and display memory.
+ * Errors:     a head that is not there takes everything and keeps nothing. Words that do not fit
+ *             into display memory are left out; stage_full tells, and so does the picture. Places
+ *             that are not finite, or beyond a million, are left out.
+ * Not modelled: areas on the vector head: their outline is drawn, hatched when asked. Display
+ *             memory of less than 64 KiB; tubes of fewer than 1024 units up (VR14 cuts the title).
  */
 #ifndef ROMS_STAGE_STAGE_H
 #define ROMS_STAGE_STAGE_H
@@ -121,13 +122,14 @@ void stage_rectangle(struct stage *stage, float x, float y, float width, float h
 /* A small cross. */
 void stage_marker(struct stage *stage, float x, float y);
 void stage_dot(struct stage *stage, float x, float y);
-/* Base line begins at x, y; about x. Characters beyond the picture's left and right edge are left out;
- * a line that sticks out above or below is moved in. */
+/* Base line begins at x, y; about x. Characters beyond the picture's left and right edge are left
+ * out; a line that sticks out above or below is moved in. */
 void stage_text(struct stage *stage, float x, float y, const char *text);
 void stage_text_middle(struct stage *stage, float x, float y, const char *text);
 void stage_number(struct stage *stage, float x, float y, float value, int decimals);
 
-/* Above and below the picture. A caption is broken into at most STAGE_CAPTION_LINES lines at spaces. */
+/* Above and below the picture. A caption is broken into at most STAGE_CAPTION_LINES lines at
+ * spaces. */
 enum { STAGE_CAPTION_LINES = 2 };
 void stage_title(struct stage *stage, const char *text);
 void stage_caption(struct stage *stage, const char *text);

@@ -13,7 +13,7 @@ static int font_scale(const struct stage *s)
     return s->page[0].height >= 900 ? 2 : 1;
 }
 
-/* ---- in the picture ---------------------------------------------------------------------------------- */
+/* ---- in the picture -------------------------------------------------------------------------- */
 
 /* Of a line of text that begins at *x, what lies within low…high; moves *x to it. */
 static void cut(const char *text, int *x, int advance, int low, int high, char part[LONGEST])
@@ -91,7 +91,7 @@ void stage_number(struct stage *s, float x, float y, float value, int decimals)
     stage_text(s, x, y, text);
 }
 
-/* ---- above and below --------------------------------------------------------------------------------- */
+/* ---- above and below ------------------------------------------------------------------------- */
 
 /* Around the picture: in an ink of its own, on both heads. */
 static void around(struct stage *s, enum ink ink)

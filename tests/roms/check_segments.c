@@ -1,5 +1,5 @@
-/* check_segments — the segmented display file under random operations while the display processor goes
- * through it: a line a property; exit status 0 when all hold.
+/* check_segments — the segmented display file under random operations while the display processor
+ * goes through it: a line a property; exit status 0 when all hold.
  */
 #include <math.h>
 #include <stdio.h>
@@ -29,7 +29,7 @@ static float random_between(float low, float high)
     return low + (high - low) * (float)random_below(1u << 24) / (float)(1 << 24);
 }
 
-/* ---- operations ------------------------------------------------------------------------------------------- */
+/* ---- operations ------------------------------------------------------------------------------ */
 
 static void create(int name)
 {
@@ -87,7 +87,7 @@ static void operate(void)
     }
 }
 
-/* ---- what must hold ------------------------------------------------------------------------------------------- */
+/* ---- what must hold -------------------------------------------------------------------------- */
 
 /* What is free is nobody's, and the display processor is not there. */
 static void look_at_holes(void)

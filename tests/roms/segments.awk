@@ -1,11 +1,11 @@
-# segments.awk — reads stores to display memory and words fetched from it, in order of time, and tells
-# whether each refresh drew each segment wholly old or wholly new (roms/stage/segments.h).
+# segments.awk — reads stores to display memory and words fetched from it, in order of time, and
+# tells whether each refresh drew each segment wholly old or wholly new (roms/stage/segments.h).
 #
 #   TIME store ADDRESS      TIME fetch ADDRESS WORD      (octal)
 #
-# Segments lie from `low` on. The display processor enters one at its first word, which sets intensity, pen,
-# blink and line type at once as no other word does, and leaves it by the jump that ends it. In the
-# meantime none of its words may be stored, but the jump's address may.
+# Segments lie from `low` on. The display processor enters one at its first word, which sets
+# intensity, pen, blink and line type at once as no other word does, and leaves it by the jump that
+# ends it. In the meantime none of its words may be stored, but the jump's address may.
 # Prints "refreshes R, segments drawn N, stores S, torn T, entered elsewhere E".
 function octal(text,    n, i) {
     for (i = 1; i <= length(text); i++)

@@ -1,5 +1,5 @@
-/* stage_rig.h — the stage on a board of the test's own: a display processor that goes on by a few words
- * whenever its counter is read, and a raster head whose retrace may come at any moment.
+/* stage_rig.h — the stage on a board of the test's own: a display processor that goes on by a few
+ * words whenever its counter is read, and a raster head whose retrace may come at any moment.
  *
  * Included once; brings the sources of the stage with it.
  *
@@ -66,7 +66,7 @@ static float random_between(float low, float high)
     return low + (high - low) * (float)random_below(1u << 24) / (float)(1 << 24);
 }
 
-/* ---- display processor ---------------------------------------------------------------------------------- */
+/* ---- display processor ----------------------------------------------------------------------- */
 
 static void rig_step(void)
 {
@@ -111,7 +111,7 @@ bool board_has_vector_head(void)
     return rig.vector;
 }
 
-/* ---- raster head ---------------------------------------------------------------------------------------- */
+/* ---- raster head ----------------------------------------------------------------------------- */
 
 static void rig_retrace(void)
 {
@@ -181,7 +181,7 @@ void video_wait_retrace(void)
         rig_retrace();
 }
 
-/* ---- a stage on it ------------------------------------------------------------------------------------- */
+/* ---- a stage on it --------------------------------------------------------------------------- */
 
 static void rig_open(struct stage *stage, bool vector, bool raster)
 {
@@ -193,7 +193,7 @@ static void rig_open(struct stage *stage, bool vector, bool raster)
     stage_open(stage);
 }
 
-/* ---- words as lines --------------------------------------------------------------------------------------- */
+/* ---- words as lines -------------------------------------------------------------------------- */
 
 struct drawn {
     int x0, y0, x1, y1; /* a dot: twice the same */
@@ -283,8 +283,8 @@ static void decode(uint32_t at, struct drawing *out)
     fail_msg("no jump");
 }
 
-/* What of a line is in the picture, in head units, by another method and in double precision: each edge of
- * the picture takes its part off. */
+/* What of a line is in the picture, in head units, by another method and in double precision: each
+ * edge of the picture takes its part off. */
 static bool visible_part(double v[4])
 {
     for (int axis = 0; axis < 2; axis++)

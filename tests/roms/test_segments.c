@@ -1,7 +1,8 @@
-/* The segmented display file (roms/stage/segments.h) under random operations, against a simple model: the
- * table, memory without overlap or loss, words that are the lines which were put in, each refresh with
- * each segment wholly old or wholly new, and pixels as if all were drawn anew. The display processor
- * is stage_rig.h's: it goes on by some words whenever the store looks where it is. */
+/* The segmented display file (roms/stage/segments.h) under random operations, against a simple
+ * model: the table, memory without overlap or loss, words that are the lines which were put in,
+ * each refresh with each segment wholly old or wholly new, and pixels as if all were drawn anew.
+ * The display processor is stage_rig.h's: it goes on by some words whenever the store looks where
+ * it is. */
 #include "tests/roms/stage_rig.h"
 
 #include "roms/stage/free_store.c"
@@ -15,7 +16,7 @@ enum { NAMES = 90, MOST_LINES = 40, FIXED = FIXED_BYTES };
 static struct stage stage;
 static struct segments store;
 
-/* ---- the model ---------------------------------------------------------------------------------------- */
+/* ---- the model ------------------------------------------------------------------------------- */
 
 struct model_segment {
     bool exists, visible, detectable;
@@ -40,7 +41,7 @@ static void model_remove(int name)
     model.open = model.open == name ? 0 : model.open;
 }
 
-/* ---- what the display processor goes through ----------------------------------------------------------------- */
+/* ---- what the display processor goes through ------------------------------------------------- */
 
 static struct {
     bool within;           /* a segment's words */
@@ -115,7 +116,7 @@ static void watched(uint16_t at, uint16_t word)
         watch.within = false; /* the jump's address, which may have changed */
 }
 
-/* ---- checks ------------------------------------------------------------------------------------------------------ */
+/* ---- checks ---------------------------------------------------------------------------------- */
 
 static int by_address(const void *a, const void *b)
 {
@@ -227,7 +228,7 @@ static void assert_all(bool words)
             assert_words_are_the_lines(&store.table[i], &model.segment[store.table[i].name]);
 }
 
-/* ---- operations ------------------------------------------------------------------------------------------------- */
+/* ---- operations ------------------------------------------------------------------------------ */
 
 static void touched(int name)
 {
@@ -398,7 +399,7 @@ static void begin(uint32_t bytes, bool vector, bool raster)
     stage_end(&stage);
 }
 
-/* ---- tests ------------------------------------------------------------------------------------------------------- */
+/* ---- tests ----------------------------------------------------------------------------------- */
 
 static void random_operations_keep_to_the_model(void **state)
 {

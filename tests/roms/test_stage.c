@@ -1,6 +1,6 @@
-/* The stage (roms/stage): the same lines on both heads, nothing beside the picture, text cut at its edge,
- * broken lines and hatching, memory that is full, and pictures that are never written while they are
- * shown. The board is stage_rig.h's. */
+/* The stage (roms/stage): the same lines on both heads, nothing beside the picture, text cut at its
+ * edge, broken lines and hatching, memory that is full, and pictures that are never written while
+ * they are shown. The board is stage_rig.h's. */
 #include "tests/roms/stage_rig.h"
 
 #include "roms/geometry/matrix4.c"
@@ -48,7 +48,7 @@ static int lit(void)
     return count;
 }
 
-/* ---- lines ----------------------------------------------------------------------------------------------- */
+/* ---- lines ----------------------------------------------------------------------------------- */
 
 static void lines_are_clipped_alike_on_both_heads(void **state)
 {
@@ -169,7 +169,7 @@ static void broken_lines_are_half_lit(void **state)
     }
 }
 
-/* ---- areas ------------------------------------------------------------------------------------------------- */
+/* ---- areas ----------------------------------------------------------------------------------- */
 
 static void upright_areas_are_those_of_the_scan_conversion(void **state)
 {
@@ -240,7 +240,7 @@ static void hatching_lies_within(void **state)
     }
 }
 
-/* ---- text -------------------------------------------------------------------------------------------------- */
+/* ---- text ------------------------------------------------------------------------------------ */
 
 static void text_stays_in_the_picture(void **state)
 {
@@ -288,7 +288,7 @@ static void panels_keep_to_their_columns_and_lines(void **state)
     stage_end(&stage);
 }
 
-/* ---- room --------------------------------------------------------------------------------------------------- */
+/* ---- room ------------------------------------------------------------------------------------ */
 
 static void full_memory_is_told_and_said(void **state)
 {
@@ -312,7 +312,7 @@ static void full_memory_is_told_and_said(void **state)
     }
 }
 
-/* ---- never written while shown --------------------------------------------------------------------------------- */
+/* ---- never written while shown --------------------------------------------------------------- */
 
 static uint32_t written; /* part */
 static void fetched(uint16_t at, uint16_t word)
@@ -362,7 +362,7 @@ static void no_picture_is_written_while_it_is_shown(void **state)
     }
 }
 
-/* ---- graphs ------------------------------------------------------------------------------------------------------ */
+/* ---- graphs ---------------------------------------------------------------------------------- */
 
 static void graphs_take_any_points(void **state)
 {
