@@ -123,9 +123,9 @@ int volume_clip_plane(const struct vector4 *in, int count, enum volume_plane pla
     for (int i = 0; i < count; i++) {
         float now = volume_boundary(in[i], plane);
         /* From the inside point on, so that an edge shared by two polygons is cut in one place. */
-        if (before >= 0 && now < 0)
+        if (before > 0 && now < 0)
             out[kept++] = between(last, in[i], before / (before - now));
-        else if (before < 0 && now >= 0)
+        else if (before < 0 && now > 0)
             out[kept++] = between(in[i], last, now / (now - before));
         if (now >= 0)
             out[kept++] = in[i];
