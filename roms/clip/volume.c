@@ -1,7 +1,6 @@
 #include "roms/clip/volume.h"
 
 #include <stddef.h>
-#include <string.h>
 
 static bool empty(const struct clip_window *w, float near, float far)
 {
@@ -40,36 +39,38 @@ bool volume_perspective(struct vector3 prp, float zvp, const struct clip_window 
     return true;
 }
 
-float volume_boundary(struct vector4 p, enum volume_plane plane)
+float volume_boundary(const struct vector4 *p, enum volume_plane plane)
 {
     switch (plane) {
     case VOLUME_LEFT:
-        return p.h + p.x;
+        return p->h + p->x;
     case VOLUME_RIGHT:
-        return p.h - p.x;
+        return p->h - p->x;
     case VOLUME_BELOW:
-        return p.h + p.y;
+        return p->h + p->y;
     case VOLUME_ABOVE:
-        return p.h - p.y;
+        return p->h - p->y;
     case VOLUME_FAR:
-        return p.h + p.z;
+        return p->h + p->z;
     default:
-        return p.h - p.z;
+        return p->h - p->z;
     }
 }
 
-unsigned volume_code(struct vector4 p)
+unsigned volume_code(const struct vector4 *p)
 {
-    return (unsigned)(p.h + p.x < 0) << VOLUME_LEFT | (unsigned)(p.h - p.x < 0) << VOLUME_RIGHT |
-           (unsigned)(p.h + p.y < 0) << VOLUME_BELOW | (unsigned)(p.h - p.y < 0) << VOLUME_ABOVE |
-           (unsigned)(p.h + p.z < 0) << VOLUME_FAR | (unsigned)(p.h - p.z < 0) << VOLUME_NEAR;
+    return (unsigned)(p->h + p->x < 0) << VOLUME_LEFT |
+           (unsigned)(p->h - p->x < 0) << VOLUME_RIGHT |
+           (unsigned)(p->h + p->y < 0) << VOLUME_BELOW |
+           (unsigned)(p->h - p->y < 0) << VOLUME_ABOVE | (unsigned)(p->h + p->z < 0) << VOLUME_FAR |
+           (unsigned)(p->h - p->z < 0) << VOLUME_NEAR;
 }
 
 /* The part t of the way from a to b. */
-static struct vector4 between(struct vector4 a, struct vector4 b, float t)
+static struct vector4 between(const struct vector4 *a, const struct vector4 *b, float t)
 {
-    return (struct vector4){a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z),
-                            a.h + t * (b.h - a.h)};
+    return (struct vector4){a->x + t * (b->x - a->x), a->y + t * (b->y - a->y),
+                            a->z + t * (b->z - a->z), a->h + t * (b->h - a->h)};
 }
 
 /* Narrows t1…t2 by each plane that one end is outside of. */
@@ -89,12 +90,12 @@ static void narrow(struct volume_line *k)
 bool volume_clip_line(struct vector4 *a, struct vector4 *b, struct volume_line *working)
 {
     struct volume_line local, *k = working != NULL ? working : &local;
-    *k = (struct volume_line){.code_a = volume_code(*a), .code_b = volume_code(*b), .t2 = 1};
+    *k = (struct volume_line){.code_a = volume_code(a), .code_b = volume_code(b), .t2 = 1};
     if (working == NULL && (k->code_a | k->code_b) == 0)
         return true;
     for (int i = 0; i < VOLUME_PLANES; i++) {
-        k->a[i] = volume_boundary(*a, (enum volume_plane)i);
-        k->b[i] = volume_boundary(*b, (enum volume_plane)i);
+        k->a[i] = volume_boundary(a, (enum volume_plane)i);
+        k->b[i] = volume_boundary(b, (enum volume_plane)i);
     }
     if ((k->code_a & k->code_b) != 0) {
         k->t1 = 1; /* wholly outside of one plane */
@@ -106,9 +107,9 @@ bool volume_clip_line(struct vector4 *a, struct vector4 *b, struct volume_line *
         return false;
     struct vector4 from = *a, to = *b;
     if (k->t1 > 0)
-        *a = between(from, to, k->t1);
+        *a = between(&from, &to, k->t1);
     if (k->t2 < 1)
-        *b = between(from, to, k->t2);
+        *b = between(&from, &to, k->t2);
     return true;
 }
 
@@ -118,18 +119,18 @@ int volume_clip_plane(const struct vector4 *in, int count, enum volume_plane pla
     int kept = 0;
     if (count == 0)
         return 0;
-    struct vector4 last = in[count - 1];
+    const struct vector4 *last = &in[count - 1];
     float before = volume_boundary(last, plane);
     for (int i = 0; i < count; i++) {
-        float now = volume_boundary(in[i], plane);
+        float now = volume_boundary(&in[i], plane);
         /* From the inside point on, so that an edge shared by two polygons is cut in one place. */
         if (before > 0 && now < 0)
-            out[kept++] = between(last, in[i], before / (before - now));
+            out[kept++] = between(last, &in[i], before / (before - now));
         else if (before < 0 && now > 0)
-            out[kept++] = between(in[i], last, now / (now - before));
+            out[kept++] = between(&in[i], last, now / (now - before));
         if (now >= 0)
             out[kept++] = in[i];
-        last = in[i];
+        last = &in[i];
         before = now;
     }
     return kept;
@@ -137,23 +138,27 @@ int volume_clip_plane(const struct vector4 *in, int count, enum volume_plane pla
 
 int volume_clip_polygon(const struct vector4 *in, int count, struct vector4 out[VOLUME_ROOM])
 {
-    struct vector4 other[VOLUME_ROOM];
+    struct vector4 other[VOLUME_ROOM], *now = out, *next = other;
     unsigned all = ~0u, any = 0;
     if (count < 3 || count > VOLUME_CORNERS)
         return 0;
     for (int i = 0; i < count; i++) {
-        unsigned code = volume_code(in[i]);
+        unsigned code = volume_code(&in[i]);
         all &= code;
         any |= code;
     }
     if (all != 0)
         return 0;
-    memcpy(out, in, (size_t)count * sizeof *in);
     for (int plane = 0; plane < VOLUME_PLANES; plane++) {
         if ((any & 1u << plane) == 0)
             continue;
-        memcpy(other, out, (size_t)count * sizeof *out);
-        count = volume_clip_plane(other, count, (enum volume_plane)plane, out);
+        count = volume_clip_plane(in, count, (enum volume_plane)plane, now);
+        struct vector4 *full = now;
+        in = full;
+        now = next;
+        next = full;
     }
+    for (int i = 0; i < count && in != out; i++)
+        out[i] = in[i];
     return count >= 3 ? count : 0;
 }

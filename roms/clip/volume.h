@@ -50,8 +50,8 @@ bool volume_perspective(struct vector3 prp, float zvp, const struct clip_window 
                         float far, struct matrix4 *out);
 
 /* h + x, h − x, …: below 0 outside of the plane. */
-float volume_boundary(struct vector4 p, enum volume_plane plane);
-unsigned volume_code(struct vector4 p);
+float volume_boundary(const struct vector4 *p, enum volume_plane plane);
+unsigned volume_code(const struct vector4 *p);
 
 /* The working: the boundary coordinates of both ends, their codes, the part that is left. */
 struct volume_line {

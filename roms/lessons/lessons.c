@@ -4,9 +4,11 @@
 
 extern const struct lesson lesson_lines, lesson_drift, lesson_circles, lesson_plane,
     lesson_clipping, lesson_space, lesson_curves, lesson_solids, lesson_surfaces, lesson_shading;
+extern const struct lesson lesson_flight;
 
 const struct lesson *const lessons[] = {
     &lesson_lines, &lesson_drift,  &lesson_circles, &lesson_plane,    &lesson_clipping,
     &lesson_space, &lesson_curves, &lesson_solids,  &lesson_surfaces, &lesson_shading,
+    &lesson_flight,
     NULL,
 };

@@ -14,6 +14,7 @@ struct drawn {
     struct vector3 world[SPACE_CORNERS];
     struct point2 at[SPACE_CORNERS];
     bool seen[SPACE_CORNERS];
+    bool faces[SPACE_FACES]; /* the viewer */
     bool mirrored;
 };
 
@@ -178,7 +179,7 @@ static void edges(const struct drawn *d, const struct space_face *f, bool seen)
     for (int i = 0; i < f->corners; i++) {
         int a = f->corner[i], b = f->corner[(i + 1) % f->corners];
         const struct space_face *other = neighbour(d->solid, a, b);
-        bool other_seen = other != NULL && faces_viewer(d, other);
+        bool other_seen = other != NULL && d->faces[other - d->solid->face];
         if (other != NULL && (other_seen == seen ? other < f : other_seen))
             continue;
         stage_line(d->view->stage, d->at[a].x, d->at[a].y, d->at[b].x, d->at[b].y);
@@ -194,7 +195,7 @@ static void draw_faces(const struct drawn *d, int from, int to, enum space_style
         const struct space_face *f = &d->solid->face[i];
         if (!whole(d, f))
             continue;
-        bool seen = faces_viewer(d, f);
+        bool seen = d->faces[i];
         if (style == SPACE_WIRE) {
             edges(d, f, seen);
             continue;
@@ -219,8 +220,9 @@ void space_draw(const struct space_view *view, const struct space_solid *solid,
         d.world[i] = matrix4_apply(model, solid->corner[i]);
         d.seen[i] = space_place(view, d.world[i], &d.at[i]);
     }
-    bool stands_seen = faces_viewer(&d, &solid->face[solid->stands]);
-    if (stands_seen) {
+    for (int i = 0; i < solid->faces; i++)
+        d.faces[i] = faces_viewer(&d, &solid->face[i]);
+    if (d.faces[solid->stands]) {
         draw_faces(&d, 0, solid->second, style);
         draw_faces(&d, solid->second, solid->faces, style);
     } else {

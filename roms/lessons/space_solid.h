@@ -10,7 +10,7 @@
  *             (doors, windows) belong to the face they are on. A light far away at the upper left.
  * Cost:       a matrix product a solid, 16 multiplications and 2 divisions a corner, a search for the
  *             neighbour of each edge of a face.
- * Domain:     up to SPACE_CORNERS corners. A face with a corner beside or behind the eye is left out.
+ * Domain:     up to SPACE_CORNERS corners and SPACE_FACES faces. A face with a corner beside or behind the eye is left out.
  * Units:      stage units; the solid's own.
  * Ownership:  plain values; solids are constants.
  * Errors:     none.
@@ -26,7 +26,7 @@
 #include "roms/geometry/matrix4.h"
 #include "roms/stage/stage.h"
 
-enum { SPACE_CORNERS = 48, SPACE_FACE_CORNERS = 5 };
+enum { SPACE_CORNERS = 48, SPACE_FACES = 24, SPACE_FACE_CORNERS = 5 };
 
 /* Corners anticlockwise, seen from outside. */
 struct space_face {

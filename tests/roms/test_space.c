@@ -579,12 +579,12 @@ static void codes_are_the_planes_sides(void **state)
         struct slow s = any_volume(i % 2 == 0);
         struct vector3 p = any_vector(6);
         struct vector4 v = matrix4_homogeneous(&s.matrix, p);
-        unsigned code = volume_code(v);
+        unsigned code = volume_code(&v);
         for (int k = 0; k < 6; k++) {
             double d = distance(&s, k, real(p));
             if (fabs(d) > 1e-4) {
                 assert_int_equal(code >> k & 1, d < 0);
-                assert_int_equal(volume_boundary(v, (enum volume_plane)k) < 0, d < 0);
+                assert_int_equal(volume_boundary(&v, (enum volume_plane)k) < 0, d < 0);
             }
         }
     }
