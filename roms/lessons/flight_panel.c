@@ -118,7 +118,7 @@ void flight_panel(struct stage *s, const struct flight *f)
 {
     char text[24];
     float degrees = f->heading / FLIGHT_DEGREE, climb = flight_climb_rate(f);
-    degrees = degrees < 0 ? degrees + 360 : degrees;
+    degrees = degrees < -0.5f ? degrees + 360 : fmaxf(degrees, 0);
     int left = (int)stage_canvas_x(s, 0), top = (int)stage_canvas_y(s, SCREEN_BOTTOM - 4);
     canvas_fill(&s->canvas, left, top, (int)stage_canvas_x(s, STAGE_WIDTH) - left,
                 (int)stage_canvas_y(s, 0) - top, ink_shade(RAMP_GREY, 0.035f));
