@@ -81,7 +81,7 @@ static bool finish_perspective(struct words *w, struct request *r, struct vector
     r->family = PERSPECTIVE;
     r->turn = matrix4_product(&about_x, &about_y);
     if (!projection_perspective(prp, zvp, &r->projection))
-        return words_refuse(w, "the view plane must not pass through the reference point");
+        return words_refuse(w, "zprp and zvp must differ");
     r->matrix = matrix4_product(&r->projection, &r->turn);
     return true;
 }
