@@ -19,8 +19,8 @@ bool volume_parallel(const struct clip_window *w, float near, float far, struct 
     return true;
 }
 
-/* h = zprp − z, the distance from the eye; x/h and y/h run from −1 to 1 across the window, z/h from −1 at
- * the far plane to 1 at the near one. */
+/* h = zprp − z, the distance from the eye; x/h and y/h run from −1 to 1 across the window, z/h from
+ * −1 at the far plane to 1 at the near one. */
 bool volume_perspective(struct vector3 prp, float zvp, const struct clip_window *w, float near,
                         float far, struct matrix4 *out)
 {

@@ -6,22 +6,24 @@
  *        └────┘                        ╲│          h + x, h − x, h + y, h − y, h + z, h − z
  *                                    near          are all >= 0; then h >= 0, too
  *
- * Clipping after the division would take what is behind the eye for something in front of it, upside
- * down. In homogeneous coordinates a line from front to back is simply cut where h ± x … is 0.
+ * Clipping after the division would take what is behind the eye for something in front of it,
+ * upside down. In homogeneous coordinates a line from front to back is simply cut where h ± x …
+ * is 0.
  *
  * Models:     the matrices of both volumes, with the larger z nearer (near: z = h, far: z = −h);
  *             region codes; lines by their parameter; polygons plane by plane.
- * Cost:       a code: 6 additions and comparisons. A line with an end outside: 6 divisions at most and
- *             8 multiplications. A polygon: 1 comparison a corner and plane, a division and 4
+ * Cost:       a code: 6 additions and comparisons. A line with an end outside: 6 divisions at most
+ *             and 8 multiplications. A polygon: 1 comparison a corner and plane, a division and 4
  *             multiplications a cut; a plane that no corner is outside of costs nothing more.
- * Domain:     numbers up to 1e6. Polygons of 3 to VOLUME_CORNERS corners. Points on a plane are inside.
- *             A concave polygon that falls into parts keeps one boundary: parts hang together by
- *             edges along the plane that count for nothing in an even-odd filling.
- * Units:      near and far are z coordinates, zprp > near > far; the window lies on the plane z = zvp.
+ * Domain:     numbers up to 1e6. Polygons of 3 to VOLUME_CORNERS corners. Points on a plane are
+ *             inside. A concave polygon that falls into parts keeps one boundary: parts hang
+ *             together by edges along the plane that count for nothing in an even-odd filling.
+ * Units:      near and far are z coordinates, zprp > near > far; the window lies on the plane z =
+ *             zvp.
  * Ownership:  plain values.
  * Errors:     an empty window or volume, or a reference point within it: false, nothing is written.
- * Source:     J. F. Blinn, M. E. Newell, Clipping Using Homogeneous Coordinates, Computer Graphics 12
- *             (SIGGRAPH 1978) 245; I. E. Sutherland, G. W. Hodgman, Reentrant Polygon Clipping,
+ * Source:     J. F. Blinn, M. E. Newell, Clipping Using Homogeneous Coordinates, Computer Graphics
+ *             12 (SIGGRAPH 1978) 245; I. E. Sutherland, G. W. Hodgman, Reentrant Polygon Clipping,
  *             Communications of the ACM 17 (1974) 32.
  */
 #ifndef ROMS_CLIP_VOLUME_H

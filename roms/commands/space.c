@@ -16,7 +16,7 @@ struct request {
     struct space_points before, after;
 };
 
-/* The notes' order of the cube's corners. */
+/* The cube's corners, in the order of the course's table. */
 static const struct space_points cube = {
     {{0, 1, 1}, {0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 0, 1}, {0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, 8};
 

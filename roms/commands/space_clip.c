@@ -58,7 +58,7 @@ static bool take(struct words *w, struct request *r)
     return true;
 }
 
-/* ---- on the console ------------------------------------------------------------------------------ */
+/* ---- on the console -------------------------------------------------------------------------- */
 
 static void print_code(unsigned code)
 {
@@ -151,7 +151,7 @@ static void clip_polygon(struct request *r, bool table)
     }
 }
 
-/* ---- in the picture ------------------------------------------------------------------------------ */
+/* ---- in the picture -------------------------------------------------------------------------- */
 
 /* The volume's corners: bit 0 right, bit 1 above, bit 2 near. */
 static void corners(const struct request *r, struct vector3 out[8])

@@ -1,4 +1,5 @@
-/* space_picture.h — pictures of the commands of space: figures in an axonometric view, matrices beside them.
+/* space_picture.h — pictures of the commands of space: figures in an axonometric view, matrices
+ * beside them.
  *
  *      ┌───────────────────┬─────────┐
  *      │ axes, the figure  │ matrix  │
@@ -17,8 +18,8 @@
 
 /* A matrix as four rows, under its name, the upper left corner at x, y. */
 void space_matrix(struct stage *stage, float x, float y, const char *name, const struct matrix4 *m);
-/* Points joined: one is a marker, more a line, three and more a polygon. With plumb lines to the ground
- * plane y = 0 if wanted. */
+/* Points joined: one is a marker, more a line, three and more a polygon. With plumb lines to the
+ * ground plane y = 0 if wanted. */
 void space_figure(const struct space_view *view, const struct space_points *points, bool plumb);
 /* A view that shows these points and the axes in the left part of the picture. */
 struct space_scene {

@@ -152,7 +152,7 @@ static bool take(struct words *w, struct request *r)
     return space_at(w, &r->points);
 }
 
-/* ---- on the console ------------------------------------------------------------------------------ */
+/* ---- on the console -------------------------------------------------------------------------- */
 
 static void print_axonometric(const struct axonometric *a)
 {
@@ -208,7 +208,7 @@ static void print_result(const struct request *r, bool table)
     print_points(r);
 }
 
-/* ---- in the picture ------------------------------------------------------------------------------ */
+/* ---- in the picture -------------------------------------------------------------------------- */
 
 static void draw(struct stage *s, const struct request *r)
 {

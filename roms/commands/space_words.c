@@ -64,7 +64,7 @@ bool space_refuse_form(struct words *w, const char *name, const char *form)
     return false;
 }
 
-/* ---- operations ----------------------------------------------------------------------------------- */
+/* ---- operations ------------------------------------------------------------------------------ */
 
 static bool axis(struct words *w, enum axis3 *out)
 {

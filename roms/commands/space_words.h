@@ -1,6 +1,7 @@
 /* space_words.h — what the commands of space take from their words: vectors, points, operations.
  *
- * Domain:     numbers up to SPACE_LARGEST; up to SPACE_POINTS points and SPACE_OPERATIONS operations.
+ * Domain:     numbers up to SPACE_LARGEST; up to SPACE_POINTS points and SPACE_OPERATIONS
+ *             operations.
  * Ownership:  plain values.
  * Errors:     false: a sentence is in words.trouble.
  */

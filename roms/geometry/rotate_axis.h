@@ -9,12 +9,12 @@
  *
  * Models:     the composition in seven steps, each of which can be looked at.
  * Cost:       6 products of matrices, 384 multiplications; 2 square roots, a sine and a cosine.
- * Domain:     points with coordinates up to 1e6 that are at least ROTATE_AXIS_SHORTEST apart, in any
- *             direction, along x, too.
+ * Domain:     points with coordinates up to 1e6 that are at least ROTATE_AXIS_SHORTEST apart, in
+ *             any direction, along x, too.
  * Units:      degrees, anticlockwise seen from P2 toward P1.
  * Ownership:  plain values.
  * Errors:     two points that are one point: false, and nothing is written.
- * Source:     D. F. Rogers, J. A. Adams, Mathematical Elements for Computer Graphics (1976), section 3-9.
+ * Source:     D. F. Rogers, J. A. Adams, Mathematical Elements for Computer Graphics (1976).
  */
 #ifndef ROMS_GEOMETRY_ROTATE_AXIS_H
 #define ROMS_GEOMETRY_ROTATE_AXIS_H

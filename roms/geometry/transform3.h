@@ -1,16 +1,16 @@
 /* transform3.h — transformations of space as 4 by 4 matrices.
  *
- *            y                  a rotation is positive anticlockwise, seen from the positive end of its
- *            ▲                  axis:  Rx turns y to z, Ry turns z to x, Rz turns x to y
+ *            y                  a rotation is positive anticlockwise, seen from the positive
+ *            ▲                  end of its axis: Rx turns y to z, Ry turns z to x, Rz turns x to y
  *            └──▶ x
  *           ◢                   a transformation of several steps:
  *          z                    M = step[n−1] · … · step[1] · step[0]
  *
- * Models:     translation; scaling about the origin and about a fixed point; rotation about an axis and
- *             about a line parallel to one; reflection in the axes and in the planes that they span;
- *             shear along an axis.
- * Cost:       none takes a multiplication of matrices but those of several steps: 64 multiplications a
- *             product.
+ * Models:     translation; scaling about the origin and about a fixed point; rotation about an axis
+ *             and about a line parallel to one; reflection in the axes and in the planes that they
+ *             span; shear along an axis.
+ * Cost:       none takes a multiplication of matrices but those of several steps: 64
+ *             multiplications a product.
  * Domain:     finite numbers. Sines and cosines of multiples of 90 degrees are exactly 0 and ±1.
  * Units:      angles: degrees; the rest: the caller's.
  * Ownership:  plain values; names are constant strings.
@@ -50,7 +50,8 @@ struct matrix4 transform3_turn(enum axis3 axis, float sine, float cosine);
 /* In an axis: half a turn about it. In a plane: the coordinate across it changes its sign. */
 struct matrix4 transform3_reflect_axis(enum axis3 axis);
 struct matrix4 transform3_reflect_plane(enum plane3 plane);
-/* Along an axis, whose coordinate stays: the two others, in the order x, y, z, grow by a and b times it. */
+/* Along an axis, whose coordinate stays: the two others, in the order x, y, z, grow by a and b
+ * times it. */
 struct matrix4 transform3_shear(enum axis3 axis, float a, float b);
 
 /* T(fixed) · S · T(−fixed). */

@@ -11,9 +11,10 @@
  * Domain:     coordinates up to 1e6; vectors of length 1e-6 at least.
  * Units:      the caller's.
  * Ownership:  plain values.
- * Errors:     a normal of length 0, or a view-up that is parallel to the normal (within 0.06 degrees):
- *             false, and nothing is written.
- * Source:     D. Hearn, M. P. Baker, Computer Graphics (1986), section 12-2; ISO 8805, GKS-3D (1988).
+ * Errors:     a normal of length 0, or a view-up that is parallel to the normal (within 0.06
+ *             degrees): false, and nothing is written.
+ * Source:     D. Hearn, M. P. Baker, Computer Graphics (1986); ISO 8805, GKS-3D
+ *             (1988).
  */
 #ifndef ROMS_GEOMETRY_VIEW3_H
 #define ROMS_GEOMETRY_VIEW3_H

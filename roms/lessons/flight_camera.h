@@ -1,7 +1,7 @@
 /* flight_camera.h — draws things of the world through the windscreen, on both heads.
  *
- * Models:     clipping in homogeneous coordinates, then the division; areas on the raster head, lines on
- *             the heads that the stage is set to.
+ * Models:     clipping in homogeneous coordinates, then the division; areas on the raster head,
+ *             lines on the heads that the stage is set to.
  * Units:      metres; stage units.
  * Ownership:  plain values; the stage must outlive the camera.
  * Errors:     none: what is out of sight is left out.

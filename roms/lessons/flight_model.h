@@ -6,19 +6,22 @@
  *      x' = V·cos γ·sin ψ   z' = −V·cos γ·cos ψ   y' = V·sin γ
  *      L = ½ρV²·S·CL(α)     D = ½ρV²·S·(CD0 + k·CL²)     T = throttle · min(T0, η·P/V)
  *
- *      CL = CL0 + a·α up to the stall at 15 degrees; beyond it CL falls, CD grows and the nose drops
+ *      CL = CL0 + a·α up to the stall at 15 degrees; beyond it CL falls, CD grows, the nose drops
  *
- * Models:     flight over a plane earth in still air; the pilot's attitude in pitch and bank, which follows
- *             the stick with a lag (in place of moments and inertia); rolling, steering and braking on the
- *             ground; touch-down or crash.
- * Cost:       about 600 instructions a step of FLIGHT_STEP.
- * Units:      metres, seconds, radians, newtons. x east, y up, z south; heading 0 is north (−z), clockwise.
+ * Models:     flight over a plane earth in still air; the pilot's attitude in pitch and bank, which
+ *             follows the stick with a lag (in place of moments and inertia); rolling, steering and
+ *             braking on the ground; touch-down or crash.
+ * Cost:       a dozen sines and cosines a step of FLIGHT_STEP.
+ * Units:      metres, seconds, radians, newtons. x east, y up, z south; heading 0 is north (−z),
+ *             clockwise.
  * Ownership:  plain values.
- * Errors:     none; angles and speed are kept within what the equations stand (V >= 1 m/s in the air).
- * Source:     equations: N. X. Vinh, Flight Mechanics of High-Performance Aircraft (1993), chapter 2.
- *             CL0 0.31, a 5.14 and CD0 0.031: J. Roskam, Airplane Flight Dynamics (1979), appendix B,
- *             airplane A; S 16.2 m², b 10.9 m, P 119 kW: such an aircraft's data sheet; mass 1043 kg,
- *             k = 1/(π·e·b²/S) with e 0.75, η 0.75, T0 2400 N, stall, lags, friction: estimates.
+ * Errors:     none; angles and speed are kept within what the equations stand (V >= 1 m/s in the
+ *             air).
+ * Source:     equations: N. X. Vinh, Flight Mechanics of High-Performance Aircraft (1993). CL0
+ *             0.31, a 5.14, CD0 0.031: a light single-engined aircraft in J. Roskam, Airplane
+ *             Flight Dynamics and Automatic Flight Controls (1979); S 16.2 m², b 10.9 m, P 119 kW:
+ *             such an aircraft's data sheet. Mass 1043 kg, k = 1/(π·e·b²/S) with e 0.75, η 0.75,
+ *             T0 2400 N, stall, lags, friction: estimates.
  * Not modelled: moments, side-slip, propeller torque, wind, fuel, flaps, density by height.
  */
 #ifndef ROMS_LESSONS_FLIGHT_MODEL_H

@@ -5,7 +5,7 @@
 #include "roms/lessons/flight_camera.h"
 #include "roms/raster/polygon_fill.h"
 
-/* ---- sky and ground ------------------------------------------------------------------------------ */
+/* ---- sky and ground -------------------------------------------------------------------------- */
 
 int flight_half_plane(const struct point2 *in, int count, float a, float b, float c,
                       struct point2 *out)
@@ -75,7 +75,7 @@ static void horizon(const struct flight_camera *c)
                            vector3_sum(middle, vector3_times(side, (float)((i + 1) * FAR / 2))));
 }
 
-/* ---- flat on the ground -------------------------------------------------------------------------- */
+/* ---- flat on the ground ---------------------------------------------------------------------- */
 
 struct field {
     float x0, z0, x1, z1;
@@ -181,7 +181,8 @@ static void draw_lights(const struct flight_camera *c)
                                 INK_BRIGHT);
 }
 
-/* Lights of the glide path beside the aiming point: each is white from above its angle, red below. */
+/* Lights of the glide path beside the aiming point: each is white from above its angle, red below.
+ * */
 static void draw_glide_path(const struct flight_camera *c)
 {
     static const float angles[4] = {3.5f, 3.17f, 2.83f, 2.5f};
@@ -193,7 +194,7 @@ static void draw_glide_path(const struct flight_camera *c)
     }
 }
 
-/* ---- what stands up ------------------------------------------------------------------------------ */
+/* ---- what stands up -------------------------------------------------------------------------- */
 
 /* A hill is a pyramid, a building a box. */
 struct thing {

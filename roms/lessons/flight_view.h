@@ -2,10 +2,11 @@
  *
  *      world ──attitude──▶ camera ──view volume──▶ clipped (volume.h) ──÷ h──▶ windscreen
  *
- * Models:     a windscreen 70 degrees wide; the plane earth and its things, drawn from far to near, each
- *             convex and without the faces that look away. Lights of the glide path: two white, two red
- *             when the approach is 3 degrees steep.
- * Cost:       measured in gallery_flight.c.
+ * Models:     a windscreen 70 degrees wide; the plane earth and its things, drawn from far to near,
+ *             each convex and without the faces that look away. Lights of the glide path: two
+ *             white, two red when the approach is 3 degrees steep.
+ * Cost:       a frame with the instruments: about 1.5 million instructions at 640 x 480, some 400
+ *             vectors.
  * Units:      metres; stage units.
  * Ownership:  plain values.
  * Errors:     none.

@@ -1,5 +1,5 @@
-/* space_projections.c — one house by eight parallel projections, then in perspective with its vanishing
- * points. */
+/* space_projections.c — one house by eight parallel projections, then in perspective with its
+ * vanishing points. */
 #include <math.h>
 #include <stdio.h>
 
@@ -9,7 +9,7 @@
 #include "roms/lessons/space_chapters.h"
 #include "roms/lessons/space_solid.h"
 
-/* ---- parallel ------------------------------------------------------------------------------------ */
+/* ---- parallel -------------------------------------------------------------------------------- */
 
 enum { PANELS = 8, ACROSS = 4, PANEL_WIDTH = STAGE_WIDTH / ACROSS, PANEL_HEIGHT = 390 };
 
@@ -69,7 +69,7 @@ void space_chapter_parallel(struct stage *stage, float seconds, struct space_vie
     stage_caption(stage, say[about]);
 }
 
-/* ---- perspective --------------------------------------------------------------------------------- */
+/* ---- perspective ----------------------------------------------------------------------------- */
 
 /* The house's corners that lines to the vanishing points start at, for x, y and z. */
 static const int from_corners[3][5] = {{0, 4, 5, 9, -1}, {0, 1, 5, 6, -1}, {0, 1, 2, 3, 4}};
@@ -101,7 +101,13 @@ static void horizon(const struct space_view *view, const struct vanishing *v)
     float y = view->y + view->scale * v->at[on].y;
     stage_ink(view->stage, INK_GRID);
     stage_line(view->stage, 0, y, STAGE_WIDTH, y);
-    stage_text(view->stage, 8, y + 8, "horizon");
+    stage_text(view->stage, STAGE_WIDTH - 124, y + 8, "horizon");
+}
+
+/* No minus before what one decimal shows as 0. */
+static double tidy(float value)
+{
+    return fabsf(value) < 0.05f ? 0 : (double)value;
 }
 
 static void list_points(struct stage *s, const struct vanishing *v)
@@ -113,8 +119,8 @@ static void list_points(struct stage *s, const struct vanishing *v)
         char text[48];
         if (!v->has[i])
             continue;
-        snprintf(text, sizeof text, "along %s: (%.1f, %.1f)", names[i], (double)v->at[i].x,
-                 (double)v->at[i].y);
+        snprintf(text, sizeof text, "along %s: (%.1f, %.1f)", names[i], tidy(v->at[i].x),
+                 tidy(v->at[i].y));
         stage_text(s, 16, y, text);
         y += 38;
     }

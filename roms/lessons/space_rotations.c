@@ -40,7 +40,7 @@ static void show_matrix(struct stage *s, float y, const struct matrix4 *m)
         }
 }
 
-/* ---- about x, y, z ------------------------------------------------------------------------------- */
+/* ---- about x, y, z --------------------------------------------------------------------------- */
 
 /* A quarter of a circle about the axis, with an arrowhead: which way is positive. */
 static void sense(const struct space_view *view, enum axis3 axis, float radius)
@@ -91,7 +91,7 @@ void space_chapter_axes(struct stage *stage, float seconds, struct space_viewer 
     stage_caption(stage, say[axis]);
 }
 
-/* ---- about a line -------------------------------------------------------------------------------- */
+/* ---- about a line ---------------------------------------------------------------------------- */
 
 static const struct vector3 line_a = {1.5f, 0.5f, 0}, line_b = {2.5f, 2.5f, 1};
 enum { STEP_LASTS = 3, TURN = 120 };
@@ -112,8 +112,8 @@ static struct matrix4 part_of_step(const struct transform3 *t, int step, float p
 static void list_steps(struct stage *s, const struct transform3 *t, int now)
 {
     static const char *const what[] = {
-        "A to the origin", "AB into the xz plane", "AB onto the z axis", "turn by 120", "undo Ry",
-        "undo Rx",         "A back to its place"};
+        "A to the origin", "AB into xz plane", "AB onto the z axis", "turn by 120",
+        "undo Ry",         "undo Rx",          "A back to its place"};
     for (int i = 0; i < t->steps; i++) {
         float y = 700 - 44 * (float)i;
         stage_ink(s, i == now ? INK_YELLOW : i < now ? INK_TEXT : INK_GRID);

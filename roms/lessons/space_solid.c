@@ -56,7 +56,7 @@ void space_text(const struct space_view *view, struct vector3 at, const char *te
         stage_text(view->stage, p.x + 8, p.y + 4, text);
 }
 
-/* ---- axes ---------------------------------------------------------------------------------------- */
+/* ---- axes ------------------------------------------------------------------------------------ */
 
 static const struct vector3 unit[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
@@ -112,7 +112,7 @@ void space_axes(const struct space_view *view, float length, bool negative)
     stage_ink(view->stage, before);
 }
 
-/* ---- faces --------------------------------------------------------------------------------------- */
+/* ---- faces ----------------------------------------------------------------------------------- */
 
 static bool faces_viewer(const struct drawn *d, const struct space_face *f)
 {

@@ -5,12 +5,14 @@
  *      raster head: faces that look at the viewer, shaded, with their edges
  *      vector head: their edges; those behind are faint
  *
- * Models:     a convex body and, on one of its faces, a second one that stands on it: which of both is
- *             drawn first follows from whether that face is seen (a tree of one partition). Marks
- *             (doors, windows) belong to the face they are on. A light far away at the upper left.
- * Cost:       a matrix product a solid, 16 multiplications and 2 divisions a corner, a search for the
- *             neighbour of each edge of a face.
- * Domain:     up to SPACE_CORNERS corners and SPACE_FACES faces. A face with a corner beside or behind the eye is left out.
+ * Models:     a convex body and, on one of its faces, a second one that stands on it: which of both
+ *             is drawn first follows from whether that face is seen (a tree of one partition).
+ *             Marks (doors, windows) belong to the face they are on. A light far away at the upper
+ *             left.
+ * Cost:       a matrix product a solid, 16 multiplications and 2 divisions a corner, a search for
+ *             the neighbour of each edge of a face.
+ * Domain:     up to SPACE_CORNERS corners and SPACE_FACES faces. A face with a corner beside or
+ *             behind the eye is left out.
  * Units:      stage units; the solid's own.
  * Ownership:  plain values; solids are constants.
  * Errors:     none.
@@ -45,8 +47,8 @@ struct space_solid {
     int stands; /* … that stands on this face */
 };
 
-/* A house, 3 wide, 4 deep, on the ground around the origin, its front toward +z: gable with door and window;
- * a chimney on the roof's right side. */
+/* A house, 3 wide, 4 deep, on the ground around the origin, its front toward +z: gable with door
+ * and window; a chimney on the roof's right side. */
 extern const struct space_solid space_house;
 /* The cube from (0,0,0) to (1,1,1) with an L on its front, z = 1. */
 extern const struct space_solid space_cube;

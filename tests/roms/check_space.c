@@ -1,5 +1,5 @@
-/* check_space — space in the machine: properties of transformations, projections and the view volume on
- * random cases, one line a property. Exit status 0: all hold. */
+/* check_space — space in the machine: properties of transformations, projections and the view
+ * volume on random cases, one line a property. Exit status 0: all hold. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>

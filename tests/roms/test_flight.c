@@ -1,5 +1,5 @@
-/* The flight simulator's aircraft (roms/lessons/flight_model.h) against closed forms of flight mechanics, and
- * its autopilot: two whole circuits. The sources are compiled for this machine. */
+/* The flight simulator's aircraft (roms/lessons/flight_model.h) against closed forms of flight
+ * mechanics, and its autopilot: two whole circuits. The sources are compiled for this machine. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

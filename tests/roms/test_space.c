@@ -1,6 +1,7 @@
-/* Space (roms/geometry, roms/clip/volume): transformations against their definitions in double precision
- * (rotation about a line against Rodrigues' formula), projections against intersections of rays, and
- * clipping against the six planes in world coordinates. The sources are compiled for this machine. */
+/* Space (roms/geometry, roms/clip/volume): transformations against their definitions in double
+ * precision (rotation about a line against Rodrigues' formula), projections against intersections
+ * of rays, and clipping against the six planes in world coordinates. The sources are compiled for
+ * this machine. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdbool.h>
@@ -95,7 +96,7 @@ static void orthonormal(const struct matrix4 *m)
     near_to((double)transform3_determinant(m), 1, 1e-6);
 }
 
-/* ---- transformations ----------------------------------------------------------------------------- */
+/* ---- transformations ------------------------------------------------------------------------- */
 
 static void sines_are_those_of_the_angle(void **state)
 {
@@ -310,7 +311,7 @@ static void compositions_invert(void **state)
     }
 }
 
-/* ---- viewing and projections --------------------------------------------------------------------- */
+/* ---- viewing and projections ----------------------------------------------------------------- */
 
 static void views_have_their_normal_ahead_and_up_upward(void **state)
 {
@@ -509,7 +510,7 @@ static void principal_vanishing_points_are_counted(void **state)
     assert_int_equal(projection_vanishing_axes(&one).count, 0);
 }
 
-/* ---- the view volume ------------------------------------------------------------------------------ */
+/* ---- the view volume ------------------------------------------------------------------------- */
 
 /* A volume by its planes: inside where a·x + b·y + c·z + d >= 0, in double. */
 struct slow {
@@ -656,8 +657,8 @@ static void lines_are_cut_at_the_planes(void **state)
     assert_true(kept > CASES / 20 && cut > CASES / 30 && behind > CASES / 200);
 }
 
-/* A place of the polygon's plane is inside of the clipped polygon when it is in the polygon and in the
- * volume: even-odd along x of the two others in the polygon's own coordinates. */
+/* A place of the polygon's plane is inside of the clipped polygon when it is in the polygon and in
+ * the volume: even-odd along x of the two others in the polygon's own coordinates. */
 static bool holds(const double (*corner)[2], int count, double x, double y)
 {
     bool inside = false;
