@@ -489,7 +489,8 @@ static void natural_and_clamped_are_those_of_dense_equations(void **state)
     }
 }
 
-/* The differences at all inner joins, relative to what they compare. */
+/* The differences at all inner joins, relative to what they compare; of places to the length of the
+ * tangents over a piece, too, which is what its coefficients cancel from. */
 static void joins(const struct spline *s, float worst[3])
 {
     worst[0] = worst[1] = worst[2] = 0;
@@ -497,6 +498,8 @@ static void joins(const struct spline *s, float worst[3])
         struct join j = spline_join(s, i);
         for (int n = 0; n < 3; n++) {
             float size = 1 + vector3_length(j.p[n]) + vector3_length(j.q[n]);
+            if (n == 0)
+                size += vector3_length(j.p[1]) * (s->knot[i + 2] - s->knot[i]);
             worst[n] = fmaxf(worst[n], vector3_length(vector3_difference(j.q[n], j.p[n])) / size);
         }
     }
