@@ -70,7 +70,7 @@ struct graph curves_frame(struct monitor *m, const char *title, const struct cur
 void curves_draw_lines(const struct graph *g, const struct vector3 *points, int count,
                        enum ink ink);
 /* Markers with p0, p1, ... */
-void curves_draw_points(const struct graph *g, const struct vector3 *points, int count,
+void curves_draw_points(const struct graph *g, char name, const struct vector3 *points, int count,
                         enum ink ink);
 void curves_draw_bezier(const struct graph *g, const struct vector3 *points, int count,
                         enum ink ink);

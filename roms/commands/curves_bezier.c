@@ -117,7 +117,7 @@ static void draw_curve(struct monitor *m, const struct curve_points *p, const fl
     curves_draw_bezier(&g, p->at, p->count, INK_YELLOW);
     for (int i = 0; i < count; i++)
         curves_draw_marker(&g, bezier_point(p->at, p->count, u[i]), INK_BRIGHT);
-    curves_draw_points(&g, p->at, p->count, INK_CYAN);
+    curves_draw_points(&g, 'p', p->at, p->count, INK_CYAN);
     char text[80], figure[CURVES_FIGURE];
     snprintf(text, sizeof text, "de Casteljau's construction of the point at u = %.12s",
              curves_figure(figure, c->u));
@@ -207,7 +207,7 @@ static bool ends(struct monitor *m, struct words *w, int dimensions)
         struct vector3 from = i % 2 == 0 ? p.at[0] : last;
         curves_draw_arrow(&g, from, vector3_difference(tips[i], from), i < 2 ? INK_RED : INK_GREEN);
     }
-    curves_draw_points(&g, p.at, p.count, INK_CYAN);
+    curves_draw_points(&g, 'p', p.at, p.count, INK_CYAN);
     stage_caption(&m->stage, "along the legs: p'/3; toward the bend: p\"/6");
     stage_end(&m->stage);
     return true;

@@ -94,7 +94,7 @@ static void draw(struct monitor *m, const struct named_spline *p, const struct n
     for (const struct named_spline *n = p; n != NULL; n = n == p ? q : NULL) {
         if (!n->through)
             curves_draw_lines(&g, n->points.at, n->points.count, INK_GRID);
-        curves_draw_points(&g, n->points.at, n->points.count, INK_CYAN);
+        curves_draw_points(&g, n == p ? 'p' : 'q', n->points.at, n->points.count, INK_CYAN);
         curves_draw_spline(&g, &n->spline, n == p ? INK_YELLOW : INK_GREEN);
     }
     int joins = q != NULL ? 1 : p->spline.pieces - 1;

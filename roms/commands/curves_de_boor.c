@@ -97,7 +97,7 @@ static void draw(struct monitor *m, const struct b_spline *s, const float *t, in
         curves_draw_marker(&g, b_spline_point(s, s->knot[k]), INK_RED);
     for (int i = 0; i < count; i++)
         curves_draw_marker(&g, b_spline_point(s, t[i]), INK_BRIGHT);
-    curves_draw_points(&g, s->point, s->count, INK_CYAN);
+    curves_draw_points(&g, 'p', s->point, s->count, INK_CYAN);
     stage_caption(&m->stage, "red: the knots, where pieces meet");
     stage_end(&m->stage);
 }

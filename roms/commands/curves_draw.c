@@ -52,13 +52,17 @@ static void widen(struct curves_bounds *b)
     b->high = (struct point2){b->high.x + least, b->high.y + least};
 }
 
+/* There is room for figures outside of axes at the edge. */
+enum { FIGURES = 56 };
+
 struct graph curves_frame(struct monitor *m, const char *title, const struct curves_bounds *bounds)
 {
     struct curves_bounds b = *bounds;
     widen(&b);
     struct point2 corners[] = {b.low, b.high};
     stage_begin(&m->stage);
-    struct graph g = graph_whole(&m->stage, corners, 2);
+    struct graph g = graph_fit(&m->stage, FIGURES, FIGURES, STAGE_WIDTH - FIGURES,
+                               STAGE_HEIGHT - FIGURES, corners, 2);
     graph_axes(&g);
     stage_title(&m->stage, title);
     return g;
@@ -71,13 +75,13 @@ void curves_draw_lines(const struct graph *g, const struct vector3 *points, int 
         graph_line(g, curves_flat(points[i - 1]), curves_flat(points[i]));
 }
 
-void curves_draw_points(const struct graph *g, const struct vector3 *points, int count,
+void curves_draw_points(const struct graph *g, char name, const struct vector3 *points, int count,
                         enum ink ink)
 {
     char text[16];
     stage_ink(g->stage, ink);
     for (int i = 0; i < count; i++) {
-        snprintf(text, sizeof text, "p%d", i);
+        snprintf(text, sizeof text, "%c%d", name, i);
         graph_marker(g, curves_flat(points[i]));
         graph_text(g, curves_flat(points[i]), text);
     }

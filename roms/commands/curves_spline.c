@@ -123,7 +123,7 @@ static void draw(struct monitor *m, const struct named_spline *n)
     }
     for (int i = 0; i <= n->spline.pieces; i++)
         curves_draw_marker(&g, spline_point(&n->spline, n->spline.knot[i]), INK_RED);
-    curves_draw_points(&g, n->points.at, n->points.count, INK_CYAN);
+    curves_draw_points(&g, 'p', n->points.at, n->points.count, INK_CYAN);
     stage_caption(&m->stage, n->through ? "the curve goes through all points"
                                         : "red: where pieces meet; grey: the control polygon");
     stage_end(&m->stage);
