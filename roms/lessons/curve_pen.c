@@ -73,6 +73,8 @@ void pen_point(struct stage *s, struct vector3 at, float radius, enum ink ink)
 {
     unsigned heads = s->heads;
     int rows = (int)(radius * s->dots + 0.5f);
+    if (at.x < 0 || at.y < 0 || at.x > STAGE_WIDTH || at.y > STAGE_HEIGHT)
+        return;
     stage_ink(s, ink);
     if (heads & STAGE_RASTER)
         canvas_disc(&s->canvas, (int)(stage_canvas_x(s, at.x) + 0.5f),

@@ -18,13 +18,14 @@ static void draw_up_to(const struct curves_view *v, struct stage *s, const struc
 /* A line with a mark at u, and u in big figures. */
 static void draw_scale(struct stage *s, float u)
 {
-    enum { LEFT = 300, RIGHT = 900, Y = 40 };
+    enum { LEFT = 200, RIGHT = 800, Y = 40 };
     char text[16];
     struct vector3 at = {LEFT + (RIGHT - LEFT) * u, Y, 0};
     pen_thin(s, (struct vector3){LEFT, Y, 0}, (struct vector3){RIGHT, Y, 0}, INK_TEXT);
     pen_point(s, at, 12, INK_RED);
     snprintf(text, sizeof text, "u = %.2f", (double)u);
-    pen_words(s, 1050, Y - 16, INK_RED, text);
+    pen_words(s, 1000, Y - 16, INK_RED, text);
+    stage_ink(s, INK_TEXT);
     stage_text_middle(s, LEFT - 24, Y - 8, "0");
     stage_text_middle(s, RIGHT + 24, Y - 8, "1");
 }
@@ -38,7 +39,8 @@ static void draw_level(struct stage *s, const struct casteljau *c, int level)
         pen_line(s, casteljau_at(c, level, i), casteljau_at(c, level, i + 1), levels[level]);
     for (int i = 0; i < count; i++) {
         struct vector3 p = casteljau_at(c, level, i);
-        pen_point(s, p, level + 1 == c->count ? 14 : 8, levels[level]);
+        pen_point(s, p, level + 1 == c->count ? 14 : 8,
+                  level + 1 == c->count ? INK_RED : levels[level]);
         if (level <= 3 && i < 4 && c->count - 1 > level)
             stage_text(s, p.x + 14, p.y + 10, names[level - 1][i]);
     }
@@ -60,7 +62,7 @@ static void casteljau(const struct curves_view *v, struct stage *s)
 
 const struct curves_page curves_page_casteljau = {
     .title = "de Casteljau: divide, and divide again",
-    .caption = "Every line is divided in the ratio u : 1 - u. The last point is on the curve.",
+    .caption = "Each line is divided u : 1 - u. The last point is on the curve.",
     .period = 12,
     .count = 4,
     .start = {{150, 180}, {330, 690}, {860, 700}, {1060, 200}},
@@ -121,16 +123,18 @@ static void blending(const struct curves_view *v, struct stage *s)
     pen_bezier(s, v->point, 4, INK_YELLOW);
     pen_point(s, bezier_point(v->point, 4, v->value), 14, INK_RED);
     draw_plot(s, v->value);
-    for (int k = 0; k < 4; k++)
-        pen_words(s, PLOT_LEFT + 55 + 110 * (float)k, PLOT_BOTTOM + PLOT_SIZE + 50, functions[k],
-                  names[k]);
+    for (int k = 0; k < 4; k++) {
+        stage_ink(s, functions[k]);
+        stage_text_middle(s, PLOT_LEFT + 65 + 115 * (float)k, PLOT_BOTTOM + PLOT_SIZE + 40,
+                          names[k]);
+    }
     if (v->chosen >= 0)
         pen_point(s, v->point[v->chosen], 8, INK_BRIGHT);
 }
 
 const struct curves_page curves_page_blending = {
     .title = "Blending functions: how much each point counts",
-    .caption = "p(u) = sum of p_k BEZ_k,3(u). The four functions sum to 1 everywhere.",
+    .caption = "p(u) = sum of p_k BEZ_k,3(u). The functions sum to 1.",
     .period = 12,
     .count = 4,
     .start = {{80, 230}, {170, 600}, {480, 610}, {570, 240}},

@@ -99,7 +99,7 @@ static void join(const struct curves_view *v, struct stage *s)
 
 const struct curves_page curves_page_join = {
     .title = "How smoothly two curves join",
-    .caption = "Comb: curvature. G2: it does not jump. C1, C2: the derivatives themselves agree.",
+    .caption = "The comb shows curvature: with G2 it does not jump at the join.",
     .period = 32,
     .count = 5,
     .start = {{90, 240}, {190, 560}, {400, 600}, {590, 420}, {1090, 420}},

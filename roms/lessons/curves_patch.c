@@ -65,7 +65,7 @@ static float light_on(const struct bezier_patch *patch, const struct patch_view 
     static const struct vector3 light = {-0.45f, 0.6f, 0.66f};
     struct vector3 n = turn(view, bezier_patch_normal(patch, u, v));
     float facing = n.z < 0 ? -vector3_dot(n, light) : vector3_dot(n, light);
-    return 0.12f + 0.75f * fmaxf(facing, 0);
+    return 0.06f + 0.64f * fmaxf(facing, 0);
 }
 
 static void draw_face(struct stage *s, const struct bezier_patch *patch,
@@ -149,7 +149,7 @@ static void patch_page(const struct curves_view *v, struct stage *s)
 
 const struct curves_page curves_page_patch = {
     .title = "Bezier patch: 4 x 4 control points",
-    .caption = "Curves of constant u and constant v. One red point pulls the whole surface.",
+    .caption = "The surface follows its net; the red point pulls all of it.",
     .period = 9,
     .count = 0,
     .draw = patch_page};

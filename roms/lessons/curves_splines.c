@@ -26,17 +26,16 @@ static void splines(const struct curves_view *v, struct stage *s)
     pen_arrow(s, v->point[0], vector3_times(slope0, 0.25f), INK_RED);
     pen_arrow(s, v->point[v->count - 1], vector3_times(slope1, 0.25f), INK_RED);
     curves_draw_controls(v, s, INK_GREEN);
-    pen_words(s, 250, 40, INK_CYAN, "natural: p\" = 0");
-    pen_words(s, 760, 40, INK_YELLOW, "clamped: p' given");
+    pen_words(s, 300, 30, INK_CYAN, "natural: p\" = 0");
+    pen_words(s, 900, 30, INK_YELLOW, "clamped: p' given");
 }
 
 const struct curves_page curves_page_splines = {
     .title = "Cubic splines through points",
-    .caption =
-        "Both are C2 and go through all points. The red slopes turn: see how far it reaches.",
+    .caption = "Both are C2, through all points. How far do the slopes reach?",
     .period = 10,
     .count = 6,
-    .start = {{140, 330}, {330, 600}, {520, 300}, {700, 560}, {880, 330}, {1060, 520}},
+    .start = {{140, 280}, {330, 640}, {520, 260}, {700, 620}, {880, 300}, {1060, 580}},
     .draw = splines};
 
 /* ---- cardinal splines ---- */
@@ -79,11 +78,10 @@ static void tension(const struct curves_view *v, struct stage *s)
 
 const struct curves_page curves_page_tension = {
     .title = "Cardinal splines: tension",
-    .caption =
-        "Slope at p_k: (1-t)/2 (p_k+1 - p_k-1). Grey: t = -1, 0 (Catmull-Rom), 1 (straight).",
+    .caption = "p' = (1-t)/2 (next - last). Grey: t = -1, 0 (Catmull-Rom), 1",
     .period = 12,
     .count = 6,
-    .start = {{130, 260}, {310, 600}, {520, 260}, {700, 610}, {900, 260}, {1080, 560}},
+    .start = {{110, 220}, {300, 660}, {520, 210}, {700, 670}, {900, 220}, {1090, 600}},
     .draw = tension};
 
 /* ---- B-splines ---- */

@@ -4,10 +4,20 @@
 
 extern const struct lesson lesson_lines, lesson_drift, lesson_circles, lesson_plane,
     lesson_clipping, lesson_space, lesson_curves, lesson_solids, lesson_surfaces, lesson_shading,
-    lesson_segments;
+    lesson_segments, lesson_inbetween;
 
 const struct lesson *const lessons[] = {
-    &lesson_lines,    &lesson_drift,   &lesson_circles,  &lesson_plane,
-    &lesson_clipping, &lesson_space,   &lesson_curves,   &lesson_solids,
-    &lesson_surfaces, &lesson_shading, &lesson_segments, NULL,
+    &lesson_lines,
+    &lesson_drift,
+    &lesson_circles,
+    &lesson_plane,
+    &lesson_clipping,
+    &lesson_space,
+    &lesson_curves,
+    &lesson_solids,
+    &lesson_surfaces,
+    &lesson_shading,
+    &lesson_segments,
+    &lesson_inbetween,
+    NULL,
 };
