@@ -20,6 +20,7 @@
 #include "roms/curves/cubic_blending.c"
 #include "roms/curves/cubic_conditions.c"
 #include "roms/curves/cubic_matrix.c"
+#include "roms/curves/key_frames.c"
 #include "roms/curves/spline.c"
 #include "roms/curves/tridiagonal.c"
 
@@ -570,6 +571,55 @@ static void wrong_counts_are_refused(void **state)
     assert_int_equal(s.pieces, 2);
 }
 
+/* A point of a drawing by weights and by a spline of its own. */
+static void key_weights_are_those_of_a_spline_a_point(void **state)
+{
+    (void)state;
+    for (int i = 0; i < CASES; i++) {
+        struct vector3 key[KEY_FRAMES_MOST], sum = {0, 0, 0}, line = {0, 0, 0};
+        struct spline s;
+        float weight[KEY_FRAMES_MOST];
+        int keys = 2 + (int)random_below(KEY_FRAMES_MOST - 1);
+        float t = i % 4 == 0 ? (float)random_below((uint32_t)keys) : random_in(0, (float)keys - 1);
+        random_points(key, keys, 100);
+        assert_true(spline_natural(key, keys, SPLINE_UNIFORM, &s));
+        key_weights(KEY_SPLINE, keys, t, weight);
+        for (int k = 0; k < keys; k++)
+            sum = vector3_sum(sum, vector3_times(key[k], weight[k]));
+        assert_true(farthest(sum, spline_point(&s, t)) < 1e-3);
+        key_weights(KEY_LINEAR, keys, t, weight);
+        for (int k = 0; k < keys; k++)
+            line = vector3_sum(line, vector3_times(key[k], weight[k]));
+        int before = (int)fminf(t, (float)keys - 2);
+        double at[3] = {(double)line.x, (double)line.y, (double)line.z};
+        assert_true(from_line(at, key[before], key[before + 1]) < 1e-3);
+        if (i % 4 == 0) {
+            assert_true(farthest(line, key[(int)t]) < 1e-4);
+            assert_true(farthest(sum, key[(int)t]) < 1e-3);
+        }
+    }
+}
+
+static void timings_run_from_the_first_key_to_the_last(void **state)
+{
+    (void)state;
+    for (int timing = 0; timing < KEY_TIMINGS; timing++) {
+        float before = 0;
+        for (int i = 0; i <= 100; i++) {
+            float t = key_time((enum key_timing)timing, 5, (float)i / 100);
+            assert_true(t >= before && t - before < 0.1f);
+            if (i % 25 == 0 && timing != KEY_EASE)
+                assert_near(t, i / 25, 1e-5);
+            before = t;
+        }
+        assert_near(key_time((enum key_timing)timing, 5, 0), 0, 0);
+        assert_near(key_time((enum key_timing)timing, 5, 7), 4, 0);
+    }
+    /* Slowly: over the first twentieth of the whole, or of a span, less than half the even way. */
+    assert_true(key_time(KEY_EASE, 5, 0.05f) < 0.1f);
+    assert_true(key_time(KEY_HOLD, 5, 0.2625f) - 1 < 0.025f);
+}
+
 /* ---- B-splines over knots ------------------------------------------------------------------------- */
 
 /* 1/d! · Σ (−1)^i · C(d+1,i) · max(0, t − i)^d: the uniform basis function that begins at 0. */
@@ -776,6 +826,8 @@ int main(void)
         cmocka_unit_test(natural_and_clamped_are_those_of_dense_equations),
         cmocka_unit_test(splines_have_the_continuity_they_claim),
         cmocka_unit_test(wrong_counts_are_refused),
+        cmocka_unit_test(key_weights_are_those_of_a_spline_a_point),
+        cmocka_unit_test(timings_run_from_the_first_key_to_the_last),
         cmocka_unit_test(bases_are_those_of_truncated_powers),
         cmocka_unit_test(de_boor_is_the_sum_over_the_basis),
         cmocka_unit_test(b_splines_hold_bezier_curves_and_uniform_pieces),
