@@ -43,9 +43,10 @@ struct named_spline {
 /* natural|clamped|hermite|cardinal|catmull-rom|b-spline|bezier and what belongs to it. */
 bool curves_take_spline(struct words *w, struct named_spline *out);
 #define CURVES_SPLINE_FORM                                                                         \
-    "natural|clamped [chordal|centripetal] x0 y0 ... [slopes dx0 dy0 dxn dyn] | hermite x0 y0 "    \
-    "dx0 "                                                                                         \
-    "dy0 ... | cardinal TENSION x0 y0 ... | catmull-rom|b-spline|bezier x0 y0 ..."
+    "natural|clamped [chordal|centripetal] x0 y0 x1 y1 ... [slopes dx0 dy0 dxn dyn]\n"             \
+    "  or hermite x0 y0 dx0 dy0 x1 y1 dx1 dy1 ...\n"                                               \
+    "  or cardinal TENSION x0 y0 ...\n"                                                            \
+    "  or catmull-rom|b-spline|bezier x0 y0 ..."
 
 /* 5.76, 2.15625, 4 */
 const char *curves_figure(char text[CURVES_FIGURE], float value);
