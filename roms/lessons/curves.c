@@ -87,7 +87,7 @@ static void run(struct curves_lesson *l)
     struct curves_view *v = &l->view;
     float t = v->clock;
     for (int i = 0; i < v->count && !l->moved; i++) {
-        float phase = 0.45f * t + 1.9f * (float)i, away = fminf(t / 4, 1);
+        float phase = 0.45f * t + 1.9f * (float)i, away = page->drift * fminf(t / 4, 1);
         v->point[i] = (struct vector3){page->start[i].x + 22 * away * sinf(phase),
                                        page->start[i].y + 40 * away * sinf(1.3f * phase + 1), 0};
     }

@@ -27,6 +27,7 @@ struct curves_page {
     const char *title;   /* of the picture */
     const char *caption; /* what to look at */
     float period;        /* seconds in which the value goes from 0 to 1 and back */
+    float drift;         /* how far points drift, 0…1 */
     int count;
     struct point2 start[CURVES_PAGE_POINTS];
     void (*draw)(const struct curves_view *view, struct stage *s);

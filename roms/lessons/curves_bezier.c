@@ -64,6 +64,7 @@ const struct curves_page curves_page_casteljau = {
     .title = "de Casteljau: divide, and divide again",
     .caption = "Each line is divided u : 1 - u. The last point is on the curve.",
     .period = 12,
+    .drift = 1,
     .count = 4,
     .start = {{150, 180}, {330, 690}, {860, 700}, {1060, 200}},
     .draw = casteljau};
@@ -136,6 +137,7 @@ const struct curves_page curves_page_blending = {
     .title = "Blending functions: how much each point counts",
     .caption = "p(u) = sum of p_k BEZ_k,3(u). The functions sum to 1.",
     .period = 12,
+    .drift = 1,
     .count = 4,
     .start = {{80, 230}, {170, 600}, {480, 610}, {570, 240}},
     .draw = blending};

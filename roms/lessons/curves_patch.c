@@ -151,5 +151,6 @@ const struct curves_page curves_page_patch = {
     .title = "Bezier patch: 4 x 4 control points",
     .caption = "The surface follows its net; the red point pulls all of it.",
     .period = 9,
+    .drift = 0,
     .count = 0,
     .draw = patch_page};

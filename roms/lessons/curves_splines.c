@@ -34,6 +34,7 @@ const struct curves_page curves_page_splines = {
     .title = "Cubic splines through points",
     .caption = "Both are C2, through all points. How far do the slopes reach?",
     .period = 10,
+    .drift = 1,
     .count = 6,
     .start = {{140, 280}, {330, 640}, {520, 260}, {700, 620}, {880, 300}, {1060, 580}},
     .draw = splines};
@@ -80,6 +81,7 @@ const struct curves_page curves_page_tension = {
     .title = "Cardinal splines: tension",
     .caption = "p' = (1-t)/2 (next - last). Grey: t = -1, 0 (Catmull-Rom), 1",
     .period = 12,
+    .drift = 1,
     .count = 6,
     .start = {{110, 220}, {300, 660}, {520, 210}, {700, 670}, {900, 220}, {1090, 600}},
     .draw = tension};
@@ -111,6 +113,7 @@ const struct curves_page curves_page_b_spline = {
     .title = "Uniform cubic B-spline",
     .caption = "It only comes near its points, but it is C2. Green: where pieces meet.",
     .period = 7,
+    .drift = 1,
     .count = 8,
     .start = {{80, 300},
               {220, 620},
