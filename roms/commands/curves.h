@@ -3,8 +3,8 @@
  *      words ──▶ curves_take_... ──▶ points, splines ──▶ curves_print_...
  *                                                 └──▶ curves_frame, curves_draw_... ──▶ stage
  *
- * Models:     points as a list of numbers that ends where a word is; splines by their names; figures as
- *             the course writes them: as many decimals as they need, at most five.
+ * Models:     points as a list of numbers that ends where a word is; splines by their names;
+ *             figures as the course writes them: as many decimals as they need, at most five.
  * Units:      world: the user's; coordinates within ±CURVES_LARGEST.
  * Ownership:  plain values.
  * Errors:     curves_take_... return false after words_refuse.
@@ -30,7 +30,8 @@ bool curves_take_points(struct words *w, int dimensions, int least, int most,
                         struct curve_points *out);
 /* A number within ±CURVES_LARGEST. */
 bool curves_take_coordinate(struct words *w, float *out);
-/* [at u1 u2 ...] to the end of the line, within low...high; without it five places from low to high. */
+/* [at u1 u2 ...] to the end of the line, within low...high; without it five places from low to
+ * high. */
 bool curves_take_places(struct words *w, float low, float high, float *place, int *count);
 
 /* A spline with the points that it was made of. */

@@ -67,7 +67,8 @@ static void print_blending(int n, const float *u, int count)
     }
 }
 
-/* Level after level in columns; point i of level j stands in line i + j, under the two it is between. */
+/* Level after level in columns; point i of level j stands in line i + j, under the two it is
+ * between. */
 static void print_triangle(const struct casteljau *c, int dimensions)
 {
     char text[3 * CURVES_FIGURE + 5];

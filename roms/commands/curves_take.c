@@ -62,7 +62,7 @@ bool curves_take_places(struct words *w, float low, float high, float *place, in
     return *count > 0 || words_refuse(w, "a place is missing");
 }
 
-/* ---- splines --------------------------------------------------------------------------------------- */
+/* ---- splines --------------------------------------------------------------------------------- */
 
 static bool take_natural(struct words *w, bool clamped, struct named_spline *out)
 {
@@ -161,7 +161,7 @@ bool curves_take_spline(struct words *w, struct named_spline *out)
     }
 }
 
-/* ---- figures --------------------------------------------------------------------------------------- */
+/* ---- figures --------------------------------------------------------------------------------- */
 
 const char *curves_figure(char text[CURVES_FIGURE], float value)
 {

@@ -4,14 +4,16 @@
  *      B_k,0(t) = 1 within t_k ≤ t < t_k+1, else 0
  *      B_k,d(t) = (t − t_k)/(t_k+d − t_k) · B_k,d−1 + (t_k+d+1 − t)/(t_k+d+1 − t_k+1) · B_k+1,d−1
  *
- *      uniform: 0 1 2 3 4 5 6 …              the curve stays away from the first and the last point
- *      open:    0 0 0 0 1 2 3 3 3 3          ends repeated degree + 1 times: it begins and ends there
+ *      uniform: 0 1 2 3 4 5 6 …          the curve stays away from the first and the last point
+ *      open:    0 0 0 0 1 2 3 3 3 3      ends repeated degree + 1 times: it begins and ends there
  *
- * Models:     the basis by the recursion, and points by de Boor's triangle, level by level for those who
- *             watch.
- * Cost:       basis: (degree + 1)² / 2 steps a span; de Boor: degree(degree + 1)/2 divisions of a line.
- * Domain:     degree 1 to B_SPLINE_DEGREE_MOST; degree + 1 to B_SPLINE_POINTS_MOST points; t within the
- *             curve's range, its end included. A quotient 0/0 of repeated knots counts as 0.
+ * Models:     the basis by the recursion, and points by de Boor's triangle, level by level for
+ *             those who watch.
+ * Cost:       basis: (degree + 1)² / 2 steps a span; de Boor: degree(degree + 1)/2 divisions of a
+ *             line.
+ * Domain:     degree 1 to B_SPLINE_DEGREE_MOST; degree + 1 to B_SPLINE_POINTS_MOST points; t
+ *             within the curve's range, its end included. A quotient 0/0 of repeated knots counts
+ *             as 0.
  * Units:      the caller's.
  * Ownership:  plain values.
  * Errors:     b_spline_trouble says in words what is wrong with degree, points or knots.

@@ -5,15 +5,15 @@
  *         p0 ·──╯     ╰────· p3           n + 1 control points: degree n
  *
  * Models:     the Bernstein polynomials, points, derivatives, and both derivatives at both ends.
- * Cost:       degree n: blending 4n multiplications and n(n−1)/2 products for the C(n,k); a point 3(n+1)
- *             more.
- * Domain:     1 to BEZIER_POINTS_MOST points; u is meant to be within 0…1 (there the curve lies in the
- *             convex hull of its control points). C(n,k) is exact up to that degree.
+ * Cost:       degree n: blending 4n multiplications and n(n−1)/2 products for the C(n,k); a point
+ *             3(n+1) more.
+ * Domain:     1 to BEZIER_POINTS_MOST points; u is meant to be within 0…1 (there the curve lies in
+ *             the convex hull of its control points). C(n,k) is exact up to that degree.
  * Units:      the caller's. Curves of the plane have z = 0.
  * Ownership:  plain values.
  * Errors:     none: derivatives that a degree does not have are 0.
- * Source:     S. Bernstein, Comm. Soc. Math. Kharkov 13 (1912) 1; P. Bézier, Numerical Control (1972);
- *             A. R. Forrest, Computer Journal 15 (1972) 71.
+ * Source:     S. Bernstein, Comm. Soc. Math. Kharkov 13 (1912) 1; P. Bézier, Numerical Control
+ *             (1972); A. R. Forrest, Computer Journal 15 (1972) 71.
  * Not modelled: rational curves.
  */
 #ifndef ROMS_CURVES_BEZIER_H

@@ -8,13 +8,13 @@
  *                v
  *
  * Models:     points, normals, the curves of constant u and v.
- * Cost:       a point: 16 + 4 products of a vector; a normal: two curves' derivatives and a cross product;
- *             a curve of constant u or v: 16 products, then a cubic's cost.
+ * Cost:       a point: 16 + 4 products of a vector; a normal: two curves' derivatives and a cross
+ *             product; a curve of constant u or v: 16 products, then a cubic's cost.
  * Domain:     u and v within 0…1.
  * Units:      the caller's.
  * Ownership:  plain values.
- * Errors:     where a tangent vanishes (control points that coincide) the normal is that of a place a
- *             little further in; a patch without area has the normal 0.
+ * Errors:     where a tangent vanishes (control points that coincide) the normal is that of a
+ *             place a little further in; a patch without area has the normal 0.
  * Source:     P. Bézier, Numerical Control: Mathematics and Applications (1972).
  */
 #ifndef ROMS_CURVES_BEZIER_PATCH_H

@@ -4,18 +4,18 @@
  *                    no ──▶ two halves (casteljau.h),        n(n−1)/8 · max |p_k+2 − 2p_k+1 + p_k|
  *                           the first one next
  *
- * Models:     adaptive subdivision at u = ½; the bound holds for every curve, and each halving makes it four
- *             times smaller.
- * Cost:       lines: some √(bound / 4·tolerance) to √(bound / tolerance) of the whole curve; a line takes a
- *             subdivision, n(n+1)/2 divisions of a line, and n − 1 lengths.
- * Domain:     1 to BEZIER_POINTS_MOST points; at most 2^BEZIER_RUN_DEPTH lines, which a curve of 1000 units
- *             and a tolerance of ½ do not need.
+ * Models:     adaptive subdivision at u = ½; the bound holds for every curve, and each halving
+ *             makes it four times smaller.
+ * Cost:       lines: some √(bound / 4·tolerance) to √(bound / tolerance) of the whole curve; a
+ *             line takes a subdivision, n(n+1)/2 divisions of a line, and n − 1 lengths.
+ * Domain:     1 to BEZIER_POINTS_MOST points; at most 2^BEZIER_RUN_DEPTH lines, which a curve of
+ *             1000 units and a tolerance of ½ do not need.
  * Units:      the caller's; tolerance: the points' unit, above 0.
  * Ownership:  plain value of about 3 KB; copies the points.
  * Errors:     none.
- * Source:     J. M. Lane, R. F. Riesenfeld, IEEE Trans. Pattern Analysis and Machine Intelligence 2 (1980)
- *             35; the bound: D. Filip, R. Magedson, R. Markot, Computer Aided Geometric Design 3 (1986)
- *             295.
+ * Source:     J. M. Lane, R. F. Riesenfeld, IEEE Trans. Pattern Analysis and Machine Intelligence
+ *             2 (1980) 35; the bound: D. Filip, R. Magedson, R. Markot, Computer Aided Geometric
+ *             Design 3 (1986) 295.
  */
 #ifndef ROMS_CURVES_BEZIER_RUN_H
 #define ROMS_CURVES_BEZIER_RUN_H

@@ -4,7 +4,7 @@
  *      p1 ─╳ p01 ╲     level j: point i = (1 − u) · (level j−1, i) + u · (level j−1, i + 1)
  *      p2 ─╳ p12 ─╳ p012 ╲
  *      p3 ─╳ p23 ─╳ p123 ─╳ p0123 = p(u)
- *          left half: the upper edge p0 p01 p012 p0123; right half: the lower edge p0123 p123 p23 p3
+ *     left half: the upper edge p0 p01 p012 p0123; right half: the lower edge p0123 p123 p23 p3
  *
  * Models:     de Casteljau's triangle, level by level for those who watch; subdivision.
  * Cost:       degree n: n(n+1)/2 divisions of a line, 6 multiplications each.
@@ -12,8 +12,8 @@
  * Units:      the caller's.
  * Ownership:  plain values; the triangle holds copies.
  * Errors:     none.
- * Source:     P. de Casteljau, Courbes et surfaces à pôles, A. Citroën (1963); W. Boehm, A. Müller, On de
- *             Casteljau's algorithm, Computer Aided Geometric Design 16 (1999) 587.
+ * Source:     P. de Casteljau, Courbes et surfaces à pôles, A. Citroën (1963); W. Boehm, A.
+ *             Müller, On de Casteljau's algorithm, Computer Aided Geometric Design 16 (1999) 587.
  */
 #ifndef ROMS_CURVES_CASTELJAU_H
 #define ROMS_CURVES_CASTELJAU_H

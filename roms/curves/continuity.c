@@ -31,14 +31,23 @@ static void parametric(const struct join *j, struct continuity *c)
     c->c2 = c->c1 && c->apart[2] <= c->allowed[2];
 }
 
+/* A tangent so short beside everything else is none: dividing by it would say nothing. */
+static bool no_direction(const struct join *j)
+{
+    float p = vector3_length(j->p[1]), q = vector3_length(j->q[1]), shorter = p < q ? p : q;
+    float bend = larger(vector3_length(j->p[2]), vector3_length(j->q[2]));
+    float far = larger(vector3_length(j->p[0]), vector3_length(j->q[0]));
+    return shorter <= rounding(far, 1) || shorter <= CONTINUITY_SHORTEST * larger(p, q) ||
+           shorter <= CONTINUITY_SHORTEST * CONTINUITY_SHORTEST * bend || shorter < 1e-15f;
+}
+
 /* k by least squares, then what is left of q″ along p′. */
 static void geometric(const struct join *j, struct continuity *c)
 {
-    float square = vector3_dot(j->p[1], j->p[1]);
     c->g0 = c->c0;
-    if (vector3_length(j->p[1]) <= rounding(vector3_length(j->p[0]), 1) ||
-        vector3_length(j->q[1]) <= rounding(vector3_length(j->q[0]), 1) || square <= 0)
+    if (no_direction(j))
         return;
+    float square = vector3_dot(j->p[1], j->p[1]);
     c->k = vector3_dot(j->q[1], j->p[1]) / square;
     c->off[1] = distance_of(j->q[1], vector3_times(j->p[1], c->k));
     c->off_allowed[1] = c->allowed[1];

@@ -7,15 +7,17 @@
  *      C1  C0 and q′ = p′              G1  G0 and q′ = k·p′, k > 0
  *      C2  C1 and q″ = p″              G2  G1 and q″ = k²·p″ + m·p′
  *
- * Models:     parametric continuity (the same derivatives) and geometric continuity (the same after a
- *             change of parameter: direction of the tangent, curvature).
+ * Models:     parametric continuity (the same derivatives) and geometric continuity (the same
+ *             after a change of parameter: direction of the tangent, curvature).
  * Cost:       about 60 multiplications.
- * Domain:     finite vectors. Where p′ or q′ is 0 a curve has no direction: no G1, no G2.
+ * Domain:     finite vectors. Where p′ or q′ is 0, or shorter than
+ *             CONTINUITY_SHORTEST of the other, a curve has no direction: no G1, no G2.
  * Units:      the caller's.
  * Ownership:  plain values.
- * Errors:     none. Two vectors are taken as equal when they differ by at most CONTINUITY_TOLERANCE of the
- *             longer one, or by no more than rounding does: 4 · 2⁻²³ of the points' distance from the
- *             origin (times 6 for p′, 36 for p″). A gap is measured against the tangents' length.
+ * Errors:     none. Two vectors are taken as equal when they differ by at most
+ *             CONTINUITY_TOLERANCE of the longer one, or by no more than rounding does: 4 · 2⁻²³
+ *             of the points' distance from the origin (times 6 for p′, 36 for p″). A gap is
+ *             measured against the tangents' length.
  * Source:     B. A. Barsky, T. D. DeRose, IEEE Computer Graphics and Applications 9 (1989) 60.
  */
 #ifndef ROMS_CURVES_CONTINUITY_H
@@ -26,6 +28,7 @@
 #include "roms/geometry/vector.h"
 
 #define CONTINUITY_TOLERANCE 1e-4f
+#define CONTINUITY_SHORTEST  1e-6f
 
 /* Place, first and second derivative of the end of p and of the beginning of q. */
 struct join {

@@ -2,17 +2,17 @@
  *
  *      p(u) = T · A,   T = (u³ u² u 1),   A = (a b c d) for x, y and z
  *
- * Models:     points by Horner's scheme, derivatives, points at equal steps by forward differences, and
- *             how many steps a given error takes.
- * Cost:       a point 9 multiplications and 9 sums; by forward differences 9 sums. Steps n: the chord of a
- *             step is nowhere farther than max |p″| / 8n² from the curve; p″ is linear, so its largest
- *             value is at an end. Rounding adds about n · 2⁻²⁴ of the curve's size.
+ * Models:     points by Horner's scheme, derivatives, points at equal steps by forward
+ *             differences, and how many steps a given error takes.
+ * Cost:       a point 9 multiplications and 9 sums; by forward differences 9 sums. Steps n: the
+ *             chord of a step is nowhere farther than max |p″| / 8n² from the curve; p″ is linear,
+ *             so its largest value is at an end. Rounding adds about n · 2⁻²⁴ of the curve's size.
  * Domain:     finite coefficients; 1 to CUBIC_STEPS_MOST steps.
  * Units:      the caller's; curves of the plane have z = 0.
  * Ownership:  plain values.
  * Errors:     none: a tolerance that would take more steps gets CUBIC_STEPS_MOST.
- * Source:     elementary; forward differences: S. A. Coons, Surfaces for Computer-Aided Design of Space
- *             Forms, MIT MAC-TR-41 (1967).
+ * Source:     elementary; forward differences: S. A. Coons, Surfaces for Computer-Aided Design of
+ *             Space Forms, MIT MAC-TR-41 (1967).
  */
 #ifndef ROMS_CURVES_CUBIC_H
 #define ROMS_CURVES_CUBIC_H

@@ -18,7 +18,8 @@ static int key_before(int keys, float t)
     return t >= (float)(keys - 2) ? keys - 2 : (int)t;
 }
 
-/* The spline through 0 … 0 1 0 … 0 says what a key counts at t; three keys are one spline in space. */
+/* The spline through 0 … 0 1 0 … 0 says what a key counts at t; three keys are one spline in
+ * space. */
 static void spline_weights(int keys, float t, float weight[])
 {
     struct vector3 unit[KEY_FRAMES_MOST];

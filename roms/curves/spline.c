@@ -31,8 +31,8 @@ static struct vector3 chord(const struct vector3 *p, int i, float factor)
     return vector3_times(vector3_difference(p[i + 1], p[i]), factor);
 }
 
-/* Slopes with which p″ is the same on both sides of each inner point. The first and the last row are
- * the caller's: b, c, slope at 0 and a, b, slope at the end. */
+/* Slopes with which p″ is the same on both sides of each inner point. The first and the last
+ * row are the caller's: b, c, slope at 0 and a, b, slope at the end. */
 static void solve_slopes(const struct spline *s, const struct vector3 *p, float *a, float *b,
                          float *c, struct vector3 *slope)
 {

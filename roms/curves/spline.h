@@ -1,26 +1,26 @@
 /* spline.h — curves of cubic pieces through points, or near them.
  *
- *          p1 ·╮        ╭· p3            natural:   p″ = 0 at both ends        C2, through the points
- *        ╭──╯   ╰╮    ╭─╯                clamped:   given p′ at both ends      C2, through the points
- *      p0 ·      ╰· p2╯                  Hermite:   given p′ at each point     C1, through the points
- *      |———h0———|—h1—|——h2——|            cardinal:  p′_i = s(p_i+1 − p_i−1)    C1, through the inner ones
- *      t0       t1   t2     t3           B-spline:  weighted means             C2, near the points
- *                                        Bézier:    every third point          C0, as the points lie
+ *          p1 ·╮        ╭· p3       natural:   p″ = 0 at both ends        C2, through the points
+ *        ╭──╯   ╰╮    ╭─╯           clamped:   given p′ at both ends      C2, through the points
+ *      p0 ·      ╰· p2╯             Hermite:   given p′ at each point     C1, through the points
+ *      |———h0——|—h1—|—h2——|         cardinal:  p′_i = s(p_i+1 − p_i−1)    C1, through inner points
+ *      t0      t1   t2   t3         B-spline:  weighted means             C2, near the points
+ *                                   Bézier:    every third point          C0, as the points lie
  *
  * Models:     the parameter t along the whole curve with a knot at each end of a piece: at equal
  *             distances, or as far apart as the points (chordal), or as the roots of that
  *             (centripetal); each piece as a geometry (cubic_kind.h) over u = (t − t_i) / h_i.
- * Cost:       natural, clamped: a tridiagonal system, some 20 operations a point and coordinate; the others
- *             nothing but copies.
+ * Cost:       natural, clamped: a tridiagonal system, some 20 operations a point and coordinate;
+ *             the others nothing but copies.
  * Domain:     2 to SPLINE_POINTS_MOST points; cardinal and B-spline at least 4, Bézier 3k + 1. The
  *             cardinal curve runs from the second point to the last but one.
  * Units:      the caller's. Slopes are dp/dt.
  * Ownership:  plain values.
  * Errors:     false: too few or too many points, or neighbours that coincide where the parameter is
  *             their distance; nothing useful is in `out`.
- * Source:     I. J. Schoenberg, Quarterly of Applied Mathematics 4 (1946) 45; J. H. Ahlberg, E. N. Nilson,
- *             J. L. Walsh, The Theory of Splines and Their Applications (1967); E. T. Y. Lee,
- *             Computer-Aided Design 21 (1989) 363, for parameters.
+ * Source:     I. J. Schoenberg, Quarterly of Applied Mathematics 4 (1946) 45; J. H. Ahlberg, E. N.
+ *             Nilson, J. L. Walsh, The Theory of Splines and Their Applications (1967); E. T. Y.
+ *             Lee, Computer-Aided Design 21 (1989) 363, for parameters.
  * Not modelled: closed curves.
  */
 #ifndef ROMS_CURVES_SPLINE_H

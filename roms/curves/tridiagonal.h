@@ -6,14 +6,15 @@
  *      |       …  …  …  | | …  |   | …  |
  *
  * Models:     Gaussian elimination without exchange of rows, for three right-hand sides at once.
- * Cost:       n unknowns: 2n divisions and 7n multiplications; elimination of a full matrix takes n³/3.
+ * Cost:       n unknowns: 2n divisions and 7n multiplications; elimination of a full matrix takes
+ *             n³/3.
  * Domain:     |b| > |a| + |c| in each row (then no division is by 0 and errors do not grow), as for
  *             splines.
  * Units:      the caller's.
  * Ownership:  arrays are the caller's; `b` and `r` are used up, r becomes x.
  * Errors:     none within the domain.
- * Source:     L. H. Thomas, Elliptic problems in linear difference equations, Watson Sci. Comput. Lab.
- *             (1949).
+ * Source:     L. H. Thomas, Elliptic problems in linear difference equations, Watson Sci. Comput.
+ *             Lab. (1949).
  */
 #ifndef ROMS_CURVES_TRIDIAGONAL_H
 #define ROMS_CURVES_TRIDIAGONAL_H

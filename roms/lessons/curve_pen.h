@@ -1,7 +1,7 @@
 /* curve_pen.h — curves and points that can be seen from the back of a room.
  *
- * Models:     lines two dots wide on the raster head, discs for points, letters twice as high; on the
- *             vector head single lines, crosses and its own letters.
+ * Models:     lines two dots wide on the raster head, discs for points, letters twice as high; on
+ *             the vector head single lines, crosses and its own letters.
  * Units:      stage units (stage.h).
  * Ownership:  nothing.
  * Errors:     none.
@@ -24,8 +24,8 @@ void pen_point(struct stage *s, struct vector3 at, float radius, enum ink ink);
 void pen_arrow(struct stage *s, struct vector3 from, struct vector3 along, enum ink ink);
 /* Big letters, about x. */
 void pen_words(struct stage *s, float x, float y, enum ink ink, const char *text);
-/* Points of a cubic, without repeating the first if there are points already; at most `most`. Returns the
- * new count. */
+/* Points of a cubic, without repeating the first if there are points already; at most `most`.
+ * Returns the new count. */
 int pen_collect(const struct vector3 bezier[4], int steps, struct point2 *out, int count, int most);
 
 #endif

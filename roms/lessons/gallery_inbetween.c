@@ -1,5 +1,6 @@
-/* gallery_inbetween.c — key-frame animation: a dolphin leaps. Five key drawings of Bézier outlines; the
- * frames between them are computed, each point along straight lines or along a spline. */
+/* gallery_inbetween.c — key-frame animation: a dolphin leaps. Five key drawings of Bézier
+ * outlines; the frames between them are computed, each point along straight lines or along a
+ * spline. */
 #include <stdio.h>
 
 #include "roms/curves/bezier.h"
@@ -11,8 +12,8 @@
 enum { KEYS = 5, OUTLINE = 36, FIN = 9, EYE = OUTLINE + FIN, DRAWING = EYE + 1 };
 enum { SKINS_MOST = 4, FRAMES = 24, SEA = 190 };
 
-/* The drawing at rest, nose to the right: a closed outline of cubic pieces (every third point is on it),
- * the fin in front, the eye. */
+/* The drawing at rest, nose to the right: a closed outline of cubic pieces (every third point
+ * is on it), the fin in front, the eye. */
 static const struct point2 rest[DRAWING] = {
     {180, -8},  {162, 4},    {148, 2},    {136, 14},   {108, 38},   {64, 44},    {20, 42},
     {8, 56},    {-4, 76},    {-22, 86},   {-26, 68},   {-34, 48},   {-40, 36},   {-75, 28},
@@ -237,7 +238,8 @@ static void draw_skins(const struct inbetween *l, struct stage *s)
         draw_skin(s, l->key[k], INK_ORANGE);
 }
 
-/* A leap takes 4 s, a rest 1 s; then straight lines and spline change, and after both the timing. */
+/* A leap takes 4 s, a rest 1 s; then straight lines and spline change, and after both the
+ * timing. */
 static void run(struct inbetween *l, float passed)
 {
     if (!l->playing)

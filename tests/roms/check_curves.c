@@ -1,4 +1,5 @@
-/* check_curves — properties of the curves (roms/curves), on random cases in the machine; a line each. */
+/* check_curves — properties of the curves (roms/curves), on random cases in the machine; a line
+ * each. */
 #include <math.h>
 #include <stdio.h>
 
