@@ -1,5 +1,5 @@
-/* Splines, B-splines, key frames and joins (roms/curves): against dense equations and truncated powers in
- * double precision, and each against the others. */
+/* Splines, B-splines, key frames and joins (roms/curves): against dense equations and truncated
+ * powers in double precision, and each against the others. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdbool.h>
