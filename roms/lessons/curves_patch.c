@@ -23,9 +23,9 @@ static struct vector3 turn(const struct patch_view *view, struct vector3 p)
 /* On the stage; z: depth, larger is nearer. */
 static struct vector3 seen(const struct patch_view *view, struct vector3 p)
 {
-    const float scale = 185;
+    const float scale = 172;
     struct vector3 t = turn(view, p);
-    return (struct vector3){600 + scale * t.x, 390 + scale * t.y, t.z};
+    return (struct vector3){600 + scale * t.x, 415 + scale * t.y, t.z};
 }
 
 static struct bezier_patch patch_of(float value)
