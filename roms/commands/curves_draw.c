@@ -52,17 +52,13 @@ static void widen(struct curves_bounds *b)
     b->high = (struct point2){b->high.x + least, b->high.y + least};
 }
 
-/* There is room for figures outside of axes at the edge. */
-enum { FIGURES = 56 };
-
 struct graph curves_frame(struct monitor *m, const char *title, const struct curves_bounds *bounds)
 {
     struct curves_bounds b = *bounds;
     widen(&b);
     struct point2 corners[] = {b.low, b.high};
     stage_begin(&m->stage);
-    struct graph g = graph_fit(&m->stage, FIGURES, FIGURES, STAGE_WIDTH - FIGURES,
-                               STAGE_HEIGHT - FIGURES, corners, 2);
+    struct graph g = graph_whole(&m->stage, corners, 2);
     graph_axes(&g);
     stage_title(&m->stage, title);
     return g;

@@ -61,7 +61,7 @@ static void casteljau(const struct curves_view *v, struct stage *s)
 }
 
 const struct curves_page curves_page_casteljau = {
-    .title = "de Casteljau: divide, and divide again",
+    .title = "de Casteljau: divide again",
     .caption = "Each line is divided u : 1 - u. The last point is on the curve.",
     .period = 12,
     .drift = 1,
@@ -134,7 +134,7 @@ static void blending(const struct curves_view *v, struct stage *s)
 }
 
 const struct curves_page curves_page_blending = {
-    .title = "Blending functions: how much each point counts",
+    .title = "How much each point counts",
     .caption = "p(u) = sum of p_k BEZ_k,3(u). The functions sum to 1.",
     .period = 12,
     .drift = 1,
