@@ -27,6 +27,7 @@ ROM_LDFLAGS := -nostartfiles -T $(ROM_O)/link.ld -Wl,--gc-sections -Wl,--build-i
 ROM_PRINTF := -DPICOLIBC_INTEGER_PRINTF_SCANF
 ROM_PRINTF_tables := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 ROM_PRINTF_monitor := -DPICOLIBC_DOUBLE_PRINTF_SCANF
+ROM_PRINTF_check_curves := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 
 ROM_LIBRARY  := bsp raster geometry clip curves solids visible light stage
 # A program whose sources lie in more folders than its own.
