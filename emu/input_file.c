@@ -9,6 +9,7 @@
 
 #include "display_file/asm.h"
 #include "display_file/loaders.h"
+#include "emu/roms.h"
 
 #define MAX_FILE (UINT64_C(64) << 20)
 
@@ -20,11 +21,22 @@ const struct vm_option vm_input_rows[VM_INPUT_ROWS] = {
     {"firmware", 0, VM_OPT_STRING, offsetof(struct vm_input_options, firmware), "FILE.elf",
      "firmware that runs the display file, instead of what .firmware in its source names", 0, 0},
     {"type", 0, VM_OPT_STRING, offsetof(struct vm_input_options, type), "TEXT",
-     "type this on the firmware's console, then end of input (0x04); \\n \\r \\t \\e \\\\ \\xHH "
+     "type this on the firmware's console, then end of input (0x04; a window's keys go on); \\n "
+     "\\r \\t \\e \\\\ \\xHH "
      "are "
      "understood",
      0, 0},
+    {"roms", 0, VM_OPT_STRING, offsetof(struct vm_input_options, roms), "DIR",
+     "folder of the monitor, which runs when no FILE is given, and of the tour", 0, 0},
 };
+
+const char *vm_input_path(const struct vm_input_options *options, const char *named, char *path,
+                          size_t size, struct crt_error *err)
+{
+    if (named)
+        return named;
+    return vm_roms_monitor(options->roms, path, size, err) ? path : NULL;
+}
 
 char *vm_read_file(const char *path, const char *what, uint64_t most, size_t *length,
                    struct crt_error *err)

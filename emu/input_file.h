@@ -24,9 +24,10 @@ struct vm_input_options {
     struct vm_octal base, start; /* of a raw image */
     const char *firmware;        /* for a display file; NULL: what the file says */
     const char *type;            /* typed on the console, with escapes; NULL: nothing */
+    const char *roms;            /* the folder of the monitor and the tour; NULL: look for it */
 };
 
-#define VM_INPUT_ROWS 4
+#define VM_INPUT_ROWS 5
 extern const struct vm_option vm_input_rows[VM_INPUT_ROWS];
 
 struct vm_input {
@@ -45,6 +46,10 @@ struct vm_input {
 
 /* Whether the options are such as can be used: escapes of --type. */
 bool vm_input_check(const struct vm_input_options *options, struct crt_error *err);
+/* The file to be loaded: `named`, or with NULL the monitor, whose path goes into `path`. NULL and a
+ * sentence when it is not found. */
+const char *vm_input_path(const struct vm_input_options *options, const char *named, char *path,
+                          size_t size, struct crt_error *err);
 /* Options must have been checked. */
 bool vm_input_load(struct vm_input *input, const char *path, const struct vm_input_options *options,
                    struct crt_error *err, char **report);

@@ -1,4 +1,4 @@
-/* roms.h — the programs that come with kinescope, and the tour through them.
+/* roms.h — the programs that come with kinescope: the monitor, and the tour through the others.
  *
  * tour.txt in the folder has one program a line; '#' starts a comment:
  *
@@ -32,6 +32,8 @@ struct vm_roms {
 
 /* `folder` may be NULL: it is looked for. */
 bool vm_roms_find(struct vm_roms *roms, const char *folder, struct crt_error *err);
+/* The firmware that runs where no program is named; `folder` may be NULL. */
+bool vm_roms_monitor(const char *folder, char *path, unsigned long size, struct crt_error *err);
 /* The path of rom `i`. */
 bool vm_roms_path(const struct vm_roms *roms, int i, char *path, unsigned long size);
 

@@ -1,7 +1,8 @@
 /* lesson_run.h — runs a lesson until somebody leaves it.
  *
  * Models:     keys and time for one lesson (roms/lessons/lesson.h).
- * Errors:     none; the end of input leaves, too.
+ * Errors:     none. After the end of input it runs on where there is a head to look at, so that a capture can
+ *             show any moment of it; elsewhere it is left.
  */
 #ifndef ROMS_MONITOR_LESSON_RUN_H
 #define ROMS_MONITOR_LESSON_RUN_H

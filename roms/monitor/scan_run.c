@@ -1,10 +1,10 @@
 /* scan_run.c — shows a scan conversion: all of it, or decision by decision. */
 #include <stdio.h>
 
-#include "roms/bsp/console.h"
+#include "roms/monitor/keys.h"
 #include "roms/monitor/stepper.h"
 
-enum { MOST_RUNS = 2048 };
+enum { MOST_RUNS = 8192 };
 
 /* What was lit so far. */
 struct scan {
@@ -52,6 +52,30 @@ static void show(struct monitor *m, const struct scan *scan, const struct step *
     stage_end(&m->stage);
 }
 
+/* After a decision in step mode: true: the next one; false: the rest at once. */
+static bool ask(struct monitor *m, unsigned number)
+{
+    char text[STAGE_PROMPT + 1];
+    snprintf(text, sizeof text, "step %u   space next   r the rest", number);
+    stage_prompt(&m->stage, text);
+    for (;;) {
+        switch (keys_next(KEYS_FOREVER)) {
+        case ' ':
+        case 'n':
+        case KEYS_ENTER:
+        case KEY_RIGHT:
+            return true;
+        case 'r':
+        case 'q':
+        case KEYS_ESCAPE:
+        case KEYS_INPUT_END:
+            return false;
+        default:
+            break;
+        }
+    }
+}
+
 void scan_run(struct monitor *m, const struct stepper *stepper)
 {
     static struct scan scan;
@@ -60,12 +84,13 @@ void scan_run(struct monitor *m, const struct stepper *stepper)
     bool stepping = m->steps;
     if (m->table)
         printf("%s\n", stepper->header);
-    while (step(m, &scan, &now)) {
+    for (unsigned number = 1; step(m, &scan, &now); number++) {
         if (!stepping)
             continue;
         show(m, &scan, &now);
-        int c = console_get();
-        stepping = c != 'r' && c != CONSOLE_EOF;
+        if (!m->table && now.decision[0] != '\0')
+            printf("%s\n", now.decision);
+        stepping = ask(m, number);
     }
     show(m, &scan, NULL);
 }

@@ -187,7 +187,8 @@ static void caption_lines(struct stage *s, const char *text, int room,
 
 static void raster_caption(struct stage *s, int line, const char *text)
 {
-    int scale = font_scale(s), from_bottom = (STAGE_CAPTION_LINES - line) * (FONT_HEIGHT + 1) + 2;
+    int scale = font_scale(s),
+        from_bottom = (STAGE_CAPTION_LINES - line) * (FONT_HEIGHT + 1) + FONT_HEIGHT + 4;
     canvas_text_middle(&s->canvas, s->canvas.width / 2, s->canvas.height - scale * from_bottom,
                        scale, scale, INK_TEXT, text);
 }

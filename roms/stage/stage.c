@@ -5,16 +5,17 @@
 #include "roms/bsp/dpu.h"
 #include "roms/bsp/video.h"
 #include "roms/raster/font.h"
+#include "roms/stage/prompt.h"
 
 /* VESA DMT 04h: pixels that a class can see. */
 static const struct video_timing vga = {25175000, 640, 656, 752, 800, 480, 490, 492, 525, 0};
 
 enum {
     HEAD_UNITS = 1024,
-    PART_LOW = 0x0010, /* before it: wait for the tick, jump to the part that is shown */
-    PART_BYTES = (DPU_BYTES - 16) / 2 & ~1u,
-    TITLE_ROWS = 2 * FONT_HEIGHT,   /* above the picture, of a screen of 480 rows */
-    CAPTION_ROWS = 3 * FONT_HEIGHT, /* below */
+    PART_LOW = 0x0100, /* before it: wait for the tick, prompt, jump to the part that is shown */
+    PART_BYTES = (DPU_BYTES - PART_LOW) / 2 & ~1u,
+    TITLE_ROWS = 2 * FONT_HEIGHT,       /* above the picture, of a screen of 480 rows */
+    CAPTION_ROWS = 4 * FONT_HEIGHT + 4, /* below, with the prompt */
 };
 
 static uint32_t part(int number)
@@ -52,6 +53,7 @@ static void open_vector(struct stage *stage)
     struct display d;
     display_begin(&d, 0, PART_LOW);
     display_sync(&d);
+    stage->prompt = stage_prompt_begin(&d);
     display_jump(&d, part(0));
     stage->patch = d.at - 2;
     display_begin(&d, part(0), part(1));
@@ -92,13 +94,27 @@ void stage_begin(struct stage *stage)
     stage_ink(stage, INK_TEXT);
 }
 
-void stage_end(struct stage *stage)
+static void show_next(struct stage *stage)
 {
     stage->shown = 1 - stage->shown;
-    display_jump(&stage->display, 0);
     dpu_memory()[stage->patch / 2] = (uint16_t)part(stage->shown);
     stage->flipped = video_retraces();
-    video_show(&stage->canvas);
+    video_show(&stage->page[stage->shown]);
+}
+
+void stage_end(struct stage *stage)
+{
+    display_jump(&stage->display, 0);
+    stage_prompt_draw(stage, &stage->canvas);
+    show_next(stage);
+    stage->pictures++;
+}
+
+void stage_flip(struct stage *stage)
+{
+    wait_until_shown(stage);
+    stage_prompt_draw(stage, &stage->page[1 - stage->shown]);
+    show_next(stage);
 }
 
 void stage_heads(struct stage *stage, unsigned heads)

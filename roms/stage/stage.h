@@ -6,7 +6,7 @@
  *      │     picture, stage units      │      one store
  *      │                               │
  *      │ (0,0)                (1200,0) │      what is drawn between stage_begin and stage_end is
- *      └─────────── caption ───────────┘      shown whole or not at all
+ *      └────── caption, prompt ────────┘      shown whole or not at all; the prompt at once
  *
  * Models:     the output primitives of graphics packages: polyline, marker, fill area, text (ISO 7942,
  *             GKS), with a driver for each head: into pixels by scan conversion (roms/raster), into
@@ -30,6 +30,7 @@
 #include "roms/stage/ink.h"
 
 enum { STAGE_WIDTH = 1200, STAGE_HEIGHT = 800 };
+enum { STAGE_PROMPT = 70 }; /* characters of a prompt, at most */
 enum { STAGE_RASTER = 1, STAGE_VECTOR = 2, STAGE_BOTH = 3 };
 
 struct stage {
@@ -37,12 +38,15 @@ struct stage {
     struct display display; /* the words that are being written */
     unsigned heads;         /* those that the primitives go to, STAGE_… */
     enum ink ink;
+    unsigned pictures; /* that were ended */
     /* Private. */
     struct canvas page[2];
     float left, bottom,
-        dots;         /* of the picture on the canvas: dots, rows from the top; dots a unit */
-    float units;      /* head units a stage unit */
-    uint32_t patch;   /* where the display file jumps to the part that is shown */
+        dots;        /* of the picture on the canvas: dots, rows from the top; dots a unit */
+    float units;     /* head units a stage unit */
+    uint32_t patch;  /* where the display file jumps to the part that is shown */
+    uint32_t prompt; /* where the prompt's characters are */
+    char prompted[STAGE_PROMPT + 1];
     int shown;        /* page and part */
     uint32_t flipped; /* retraces when the page was given */
 };
@@ -53,6 +57,12 @@ void stage_open(struct stage *stage);
  * that one is on the screen. */
 void stage_begin(struct stage *stage);
 void stage_end(struct stage *stage);
+
+/* Shows the picture before the last one again, and takes this one back into store. */
+void stage_flip(struct stage *stage);
+
+/* A line under every picture, shown at once: what is being typed. */
+void stage_prompt(struct stage *stage, const char *text);
 
 /* The heads that primitives go to from now on; stage_begin: both. */
 void stage_heads(struct stage *stage, unsigned heads);
