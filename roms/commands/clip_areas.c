@@ -139,11 +139,13 @@ static const struct clip_font font = {FONT_WIDTH, FONT_HEIGHT, font_row};
 static void panel(struct monitor *m, const struct clip_text *t, const struct clip_window *window,
                   int rule)
 {
-    enum { APART = 20, PANEL = (STAGE_WIDTH - 2 * APART) / RULES };
     struct clip_window box = clip_text_box(t);
-    const struct point2 ends[] = {{box.x_min, box.y_min}, {box.x_max, box.y_max}};
-    float left = (float)(rule * (PANEL + APART));
-    struct graph g = clip_picture_fit(&m->stage, left, PANEL, window, ends, 2);
+    const struct point2 all[] = {{box.x_min, box.y_min},
+                                 {box.x_max, box.y_max},
+                                 {window->x_min, window->y_min},
+                                 {window->x_max, window->y_max}};
+    float bottom = (float)(RULES - 1 - rule) * 262;
+    struct graph g = graph_fit(&m->stage, 190, bottom - 50, STAGE_WIDTH - 190, 362, all, 4);
     clip_picture_window(&g, window);
     stage_ink(&m->stage, INK_BRIGHT);
     struct clip_text_parts p;
@@ -157,7 +159,7 @@ static void panel(struct monitor *m, const struct clip_text *t, const struct cli
         stage_line(&m->stage, low.x, (low.y + high.y) / 2, high.x, (low.y + high.y) / 2);
     }
     stage_heads(&m->stage, STAGE_BOTH);
-    stage_text_middle(&m->stage, left + PANEL / 2, 40, rules[rule]);
+    stage_text(&m->stage, 0, bottom + 122, rules[rule]);
 }
 
 /* The characters that are left; "." for those that are not. */
