@@ -44,6 +44,18 @@ bool pipeline2_line(const struct pipeline2 *p, struct point2 *a, struct point2 *
     return true;
 }
 
+void pipeline2_polyline(const struct pipeline2 *p, const struct point2 *points, int count,
+                        void (*line)(void *ctx, struct point2 a, struct point2 b), void *ctx)
+{
+    struct point2 before = {0, 0};
+    for (int i = 0; i < count; i++) {
+        struct point2 now = matrix3_apply(&p->before, points[i]), a = before, b = now;
+        if (i > 0 && clip_liang_barsky(&p->viewport, &a, &b))
+            line(ctx, matrix3_apply(&p->device, a), matrix3_apply(&p->device, b));
+        before = now;
+    }
+}
+
 int pipeline2_polygon(const struct pipeline2 *p, const struct point2 *corners, int count,
                       struct sutherland_hodgman *work)
 {

@@ -48,6 +48,9 @@ void pipeline2_model(struct pipeline2 *p, const struct matrix3 *model);
 /* To DC; false: nothing of it is within the viewport, and it stays as it was. */
 bool pipeline2_point(const struct pipeline2 *p, struct point2 *at);
 bool pipeline2_line(const struct pipeline2 *p, struct point2 *a, struct point2 *b);
+/* Calls line(…) with what is left of each line between neighbours; every point is transformed once. */
+void pipeline2_polyline(const struct pipeline2 *p, const struct point2 *points, int count,
+                        void (*line)(void *ctx, struct point2 a, struct point2 b), void *ctx);
 /* Leaves what is left in work->corner, in DC; its corners, 0: nothing, or more than
  * CLIP_POLYGON_MOST. */
 int pipeline2_polygon(const struct pipeline2 *p, const struct point2 *corners, int count,

@@ -358,6 +358,41 @@ static void pipelines_clip(void **state)
     assert_int_equal(pipeline2_polygon(&p, many, CLIP_POLYGON_MOST + 1, &work), 0);
 }
 
+struct seen {
+    struct point2 from, to;
+    int count;
+};
+
+static void see(void *ctx, struct point2 a, struct point2 b)
+{
+    struct seen *s = ctx;
+    s->from = a;
+    s->to = b;
+    s->count++;
+}
+
+static void polylines_are_their_lines(void **state)
+{
+    (void)state;
+    int lines = 0;
+    for (int i = 0; i < 20000; i++) {
+        struct view2 v = random_view();
+        struct pipeline2 p;
+        assert_true(pipeline2_begin(&p, &v));
+        struct point2 c[] = {random_point(), random_point()};
+        struct seen seen = {.count = 0};
+        pipeline2_polyline(&p, c, 2, see, &seen);
+        bool left = pipeline2_line(&p, &c[0], &c[1]);
+        assert_int_equal(seen.count, left);
+        if (left) {
+            assert_near(seen.from, c[0].x, c[0].y, 0);
+            assert_near(seen.to, c[1].x, c[1].y, 0);
+        }
+        lines += left;
+    }
+    assert_true(lines > 2000);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -377,6 +412,7 @@ int main(void)
         cmocka_unit_test(frames_measure_along_their_axes),
         cmocka_unit_test(pipelines_are_their_stages),
         cmocka_unit_test(pipelines_clip),
+        cmocka_unit_test(polylines_are_their_lines),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
