@@ -237,7 +237,8 @@ static int run(int argc, char **argv)
                                              VM_OPTION_TABLE(vm_light_rows, &c.o.light),
                                              VM_OPTION_TABLE(vm_settings_rows, &c.o.settings),
                                              VM_OPTION_TABLE(vm_input_rows, &c.o.input),
-                                             VM_OPTION_TABLE(vm_saved_rows, &c.o.saved)};
+                                             VM_OPTION_TABLE(vm_saved_rows, &c.o.saved),
+                                             VM_OPTION_TABLE(vm_roms_rows, &c.o.roms)};
     struct vm_args args;
     struct crt_error err;
     char *report;
@@ -247,7 +248,7 @@ static int run(int argc, char **argv)
         return status;
     char monitor[4096 + 16];
     const char *path =
-        vm_input_path(&c.o.input, args.count ? args.item[0] : NULL, monitor, sizeof monitor, &err);
+        vm_roms_program(&c.o.roms, args.count ? args.item[0] : NULL, monitor, sizeof monitor, &err);
     if (!path)
         return fail(VM_EXIT_TROUBLE, &err);
     if (!vm_input_check(&c.o.input, &err) || !check_options(&c, &err) ||

@@ -4,6 +4,7 @@
 
 #include "emu/command.h"
 #include "emu/headless.h"
+#include "emu/roms.h"
 #include "emu/show.h"
 #include "emu/view.h"
 
@@ -17,6 +18,7 @@ struct options {
     struct vm_settings_options settings;
     struct vm_light_options light;
     struct vm_input_options input;
+    struct vm_roms_options roms;
 };
 
 #define ROW(field) offsetof(struct options, field)
@@ -145,7 +147,7 @@ static int run_window(const struct options *o, const char *path)
     if (status)
         return fail(status, &err);
     struct vm_show_desc desc = {.path = path,
-                                .roms = o->input.roms,
+                                .roms = o->roms.folder,
                                 .settings = &o->settings,
                                 .input = &o->input,
                                 .light = &o->light,
@@ -165,10 +167,12 @@ static int run_window(const struct options *o, const char *path)
 static int run(int argc, char **argv)
 {
     struct options o = {.scale = 1, .light = {.room = -1}};
-    const struct vm_option_table tables[] = {
-        VM_OPTION_TABLE(rows, &o), VM_OPTION_TABLE(vm_light_rows, &o.light),
-        VM_OPTION_TABLE(vm_settings_rows, &o.settings), VM_OPTION_TABLE(vm_input_rows, &o.input),
-        VM_OPTION_TABLE(vm_saved_rows, &o.saved)};
+    const struct vm_option_table tables[] = {VM_OPTION_TABLE(rows, &o),
+                                             VM_OPTION_TABLE(vm_light_rows, &o.light),
+                                             VM_OPTION_TABLE(vm_settings_rows, &o.settings),
+                                             VM_OPTION_TABLE(vm_input_rows, &o.input),
+                                             VM_OPTION_TABLE(vm_saved_rows, &o.saved),
+                                             VM_OPTION_TABLE(vm_roms_rows, &o.roms)};
     struct vm_args args;
     struct crt_error err;
     int status = vm_command_parse(&vm_command_run, tables, sizeof tables / sizeof *tables, argc,
@@ -189,8 +193,8 @@ static int run(int argc, char **argv)
     char monitor[4096 + 16];
     const char *path = NULL;
     if (!o.tour) {
-        path = vm_input_path(&o.input, args.count ? args.item[0] : NULL, monitor, sizeof monitor,
-                             &err);
+        path = vm_roms_program(&o.roms, args.count ? args.item[0] : NULL, monitor, sizeof monitor,
+                               &err);
         if (!path)
             return fail(VM_EXIT_TROUBLE, &err);
     }

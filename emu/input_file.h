@@ -24,10 +24,9 @@ struct vm_input_options {
     struct vm_octal base, start; /* of a raw image */
     const char *firmware;        /* for a display file; NULL: what the file says */
     const char *type;            /* typed on the console, with escapes; NULL: nothing */
-    const char *roms;            /* the folder of the monitor and the tour; NULL: look for it */
 };
 
-#define VM_INPUT_ROWS 5
+#define VM_INPUT_ROWS 4
 extern const struct vm_option vm_input_rows[VM_INPUT_ROWS];
 
 struct vm_input {
@@ -39,6 +38,7 @@ struct vm_input {
     char *image;
     char *typed; /* malloced, typed_length bytes; NULL: nothing */
     size_t typed_length;
+    char tube[48]; /* that firmware names; "": none */
     struct crt_beam_header header;
     struct crt_stroke *strokes;
     size_t count;
@@ -46,16 +46,13 @@ struct vm_input {
 
 /* Whether the options are such as can be used: escapes of --type. */
 bool vm_input_check(const struct vm_input_options *options, struct crt_error *err);
-/* The file to be loaded: `named`, or with NULL the monitor, whose path goes into `path`. NULL and a
- * sentence when it is not found. */
-const char *vm_input_path(const struct vm_input_options *options, const char *named, char *path,
-                          size_t size, struct crt_error *err);
 /* Options must have been checked. */
 bool vm_input_load(struct vm_input *input, const char *path, const struct vm_input_options *options,
                    struct crt_error *err, char **report);
 void vm_input_free(struct vm_input *input);
 
-/* The tube the program was made for, as it says it; NULL when it does not. */
+/* The tube the program was made for, as it says it: .tube in a source, or in firmware the text at the
+ * symbol kinescope_tube (const char kinescope_tube[] = "VR17/P31"); NULL when it does not. */
 const char *vm_input_tube(const struct vm_input *input);
 
 /* Loads it into a machine: words and entry, firmware, or the recording. The machine of an input with

@@ -2,12 +2,18 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #define TOUR    "tour.txt"
 #define MONITOR "monitor.elf"
+
+const struct vm_option vm_roms_rows[VM_ROMS_ROWS] = {
+    {"roms", 0, VM_OPT_STRING, offsetof(struct vm_roms_options, folder), "DIR",
+     "folder of the monitor, which runs when no FILE is given, and of the tour", 0, 0},
+};
 
 static bool has(const char *folder, const char *file)
 {
@@ -118,7 +124,7 @@ bool vm_roms_path(const struct vm_roms *roms, int i, char *path, unsigned long s
     return n > 0 && (unsigned long)n < size;
 }
 
-bool vm_roms_monitor(const char *folder, char *path, unsigned long size, struct crt_error *err)
+static bool find_monitor(const char *folder, char *path, unsigned long size, struct crt_error *err)
 {
     char found[4096];
     if (folder)
@@ -131,4 +137,12 @@ bool vm_roms_monitor(const char *folder, char *path, unsigned long size, struct 
     if (n < 0 || (unsigned long)n >= size || access(path, R_OK) != 0)
         return crt_fail(err, "%.300s/" MONITOR " cannot be opened: %s", found, strerror(errno));
     return true;
+}
+
+const char *vm_roms_program(const struct vm_roms_options *options, const char *named, char *path,
+                            unsigned long size, struct crt_error *err)
+{
+    if (named)
+        return named;
+    return find_monitor(options->folder, path, size, err) ? path : NULL;
 }

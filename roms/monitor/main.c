@@ -9,6 +9,10 @@
 
 #include "roms/monitor/shell.h"
 
+/* The vector head's tube, unless another is asked for: things move here, and P39 glows on for long. */
+extern const char kinescope_tube[];
+const char kinescope_tube[] = "VR17/P31";
+
 int main(void)
 {
     static struct monitor monitor;
