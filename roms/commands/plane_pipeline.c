@@ -1,10 +1,10 @@
 /* plane_pipeline.c — `pipeline`: from model to device coordinates, stage by stage. */
 #include <stdio.h>
 
+#include "roms/clip/pipeline2.h"
 #include "roms/commands/flat_words.h"
 #include "roms/commands/plane_ops.h"
 #include "roms/commands/plane_parts.h"
-#include "roms/geometry/pipeline2.h"
 #include "roms/monitor/print.h"
 
 struct job {

@@ -2,9 +2,9 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "roms/clip/window_viewport.h"
 #include "roms/commands/flat_words.h"
 #include "roms/commands/plane_parts.h"
-#include "roms/geometry/window_viewport.h"
 #include "roms/monitor/print.h"
 
 /* ---- window ---------------------------------------------------------------------------------------- */

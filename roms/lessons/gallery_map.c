@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "roms/clip/pipeline2.h"
 #include "roms/clip/text.h"
-#include "roms/geometry/pipeline2.h"
 #include "roms/geometry/transform2.h"
 #include "roms/lessons/large_text.h"
 #include "roms/lessons/lesson.h"

@@ -1,4 +1,4 @@
-/* Transformations of the plane and the viewing pipeline (roms/geometry) against their definitions in
+/* Transformations of the plane and the viewing pipeline (roms/geometry, roms/clip) against their definitions in
  * double precision and the course's examples. The sources are compiled for this machine. */
 #include <math.h>
 #include <setjmp.h>
@@ -10,11 +10,11 @@
 #include <cmocka.h>
 
 #include "roms/clip/liang_barsky.c"
+#include "roms/clip/pipeline2.c"
 #include "roms/clip/sutherland_hodgman.c"
+#include "roms/clip/window_viewport.c"
 #include "roms/geometry/matrix3.c"
-#include "roms/geometry/pipeline2.c"
 #include "roms/geometry/transform2.c"
-#include "roms/geometry/window_viewport.c"
 
 static const double PI = 3.14159265358979323846;
 static uint32_t random_state = 1;

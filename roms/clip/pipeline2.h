@@ -13,8 +13,8 @@
  *             then written.
  * Source:     D. Hearn, M. P. Baker, Computer Graphics (2nd ed. 1994), section 6-1; ISO 7942 (GKS, 1985).
  */
-#ifndef ROMS_GEOMETRY_PIPELINE2_H
-#define ROMS_GEOMETRY_PIPELINE2_H
+#ifndef ROMS_CLIP_PIPELINE2_H
+#define ROMS_CLIP_PIPELINE2_H
 
 #include <stdbool.h>
 

@@ -1,7 +1,7 @@
-#include "roms/geometry/pipeline2.h"
+#include "roms/clip/pipeline2.h"
 
 #include "roms/clip/liang_barsky.h"
-#include "roms/geometry/window_viewport.h"
+#include "roms/clip/window_viewport.h"
 
 bool pipeline2_begin(struct pipeline2 *p, const struct view2 *v)
 {

@@ -1,4 +1,4 @@
-#include "roms/geometry/window_viewport.h"
+#include "roms/clip/window_viewport.h"
 
 #include <math.h>
 

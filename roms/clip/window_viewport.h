@@ -13,8 +13,8 @@
  * Errors:     false for a window without an area, a frame without a direction up; nothing is written.
  * Source:     W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics (1973).
  */
-#ifndef ROMS_GEOMETRY_WINDOW_VIEWPORT_H
-#define ROMS_GEOMETRY_WINDOW_VIEWPORT_H
+#ifndef ROMS_CLIP_WINDOW_VIEWPORT_H
+#define ROMS_CLIP_WINDOW_VIEWPORT_H
 
 #include <stdbool.h>
 
