@@ -182,6 +182,46 @@ static void lines_through_corners_end(void **state)
     }
 }
 
+/* Quotients of small whole numbers are equal when they should be: Liang-Barsky's verdict has no slack,
+ * also where a line touches a corner or runs along an edge. */
+static void whole_numbers_are_decided_exactly(void **state)
+{
+    (void)state;
+    int touching = 0;
+    for (int i = 0; i < 200000; i++) {
+        struct clip_window w = {random_whole(5), random_whole(5), 0, 0};
+        w.x_max = w.x_min + (float)random_below(5);
+        w.y_max = w.y_min + (float)random_below(5);
+        float x = random_whole(9), y = random_whole(9);
+        struct point2 a = {x, y};
+        x = random_whole(9);
+        y = random_whole(9);
+        struct point2 b = {x, y};
+        struct kept k = exact(&w, a, b, 0);
+        touching += k.t1 == k.t2;
+        assert_int_equal(clip_liang_barsky(&w, &a, &b), k.t1 <= k.t2);
+    }
+    assert_true(touching > 1000);
+}
+
+/* What lies on the edge belongs to the window. */
+static void edges_belong_to_the_window(void **state)
+{
+    (void)state;
+    const struct clip_window w = {-3, -2, 4, 5};
+    const struct point2 lines[][2] = {{{-9, -2}, {9, -2}}, {{-9, 5}, {9, 5}},   {{-3, -9}, {-3, 9}},
+                                      {{4, 9}, {4, -9}},   {{4, 5}, {4, 5}},    {{-3, 1}, {-7, 1}},
+                                      {{5, 4}, {3, 6}},    {{-3, -2}, {-9, -9}}};
+    for (unsigned i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        struct point2 a = lines[i][0], b = lines[i][1], c = a, d = b;
+        assert_true(clip_cohen_sutherland(&w, &a, &b));
+        assert_true(clip_liang_barsky(&w, &c, &d));
+        assert_true(clip_point(&w, a) && clip_point(&w, b));
+        assert_memory_equal(&a, &c, sizeof a);
+        assert_memory_equal(&b, &d, sizeof b);
+    }
+}
+
 static void inverted_windows_hold_nothing(void **state)
 {
     (void)state;
@@ -422,6 +462,8 @@ int main(void)
         cmocka_unit_test(liang_barsky_is_exact),
         cmocka_unit_test(cohen_sutherland_takes_few_cuts),
         cmocka_unit_test(lines_through_corners_end),
+        cmocka_unit_test(whole_numbers_are_decided_exactly),
+        cmocka_unit_test(edges_belong_to_the_window),
         cmocka_unit_test(inverted_windows_hold_nothing),
         cmocka_unit_test(codes_and_cuts_of_the_course),
         cmocka_unit_test(parameters_of_the_course),
