@@ -49,17 +49,15 @@ bool clip_point_command(struct monitor *m, struct words *w)
 
 /* ---- polygons ----------------------------------------------------------------------------------- */
 
-/* Beyond so many corners, which the stage does not fill, only its outline. */
-enum { FILLED_MOST = 64 };
-
 static void area(const struct graph *g, const struct point2 *p, int count, enum ink ink)
 {
     struct point2 placed[CLIP_POLYGON_ROOM];
     for (int i = 0; i < count; i++)
         placed[i] = graph_place(g, p[i]);
     stage_ink(g->stage, ink);
-    if (count <= FILLED_MOST)
-        stage_area(g->stage, placed, count);
+    stage_hatch(g->stage, 45, 24);
+    stage_area(g->stage, placed, count);
+    stage_hatch(g->stage, 0, 0);
     stage_ink(g->stage, INK_BRIGHT);
     stage_polygon(g->stage, placed, count);
 }

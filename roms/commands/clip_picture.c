@@ -73,8 +73,8 @@ void clip_picture_cut_away(const struct graph *g, struct point2 a, struct point2
     graph_line(g, a, b);
     stage_heads(s, heads & STAGE_VECTOR);
     stage_ink(s, INK_BROWN);
-    display_line_type(&s->display, DF_LINE_SHORT);
+    stage_line_type(s, STAGE_SHORT_DASH);
     graph_line(g, a, b);
-    display_line_type(&s->display, DF_LINE_SOLID);
+    stage_line_type(s, STAGE_SOLID);
     stage_heads(s, heads);
 }

@@ -5,7 +5,7 @@
 
 #include "roms/monitor/print.h"
 
-enum { LETTERED_MOST = 12, FILLED_MOST = 64 };
+enum { LETTERED_MOST = 12 };
 
 struct plane_figure plane_figure_default(void)
 {
@@ -75,7 +75,7 @@ void plane_picture_figure(const struct graph *g, const struct plane_figure *f, e
         placed[3] = third;
     }
     stage_ink(g->stage, ink);
-    if (filled && f->count > 2 && f->count <= FILLED_MOST)
+    if (filled && f->count > 2)
         stage_area(g->stage, placed, f->count);
     stage_polygon(g->stage, placed, f->count);
     stage_ink(g->stage, INK_BRIGHT);

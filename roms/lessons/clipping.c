@@ -35,9 +35,9 @@ void clipping_cut_away(struct stage *s, struct point2 a, struct point2 b)
     clipping_line(s, a, b, INK_RED);
     stage_heads(s, STAGE_VECTOR);
     stage_ink(s, INK_BROWN);
-    display_line_type(&s->display, DF_LINE_SHORT);
+    stage_line_type(s, STAGE_SHORT_DASH);
     stage_line(s, a.x, a.y, b.x, b.y);
-    display_line_type(&s->display, DF_LINE_SOLID);
+    stage_line_type(s, STAGE_SOLID);
     stage_heads(s, STAGE_BOTH);
 }
 

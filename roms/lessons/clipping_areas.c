@@ -88,7 +88,9 @@ float clipping_polygon(struct stage *s, float since)
     for (int i = 0; i < pass; i++)
         sutherland_hodgman_next(&work);
     stage_ink(s, INK_GREEN);
+    stage_hatch(s, 45, 24);
     stage_area(s, work.corner, work.count);
+    stage_hatch(s, 0, 0);
     outline_cut_away(s, p, CORNERS);
     clipping_window(s, &w, INK_CYAN);
     if (pass >= 1 && pass <= PASSES)
