@@ -4,20 +4,20 @@
  *      ─────┼──────┼─────
  *      0001 │ 0000 │ 0010        both codes 0000: accepted
  *      ─────┼──────┼─────        a bit in both (AND not 0): rejected
- *      0101 │ 0100 │ 0110        else: cut an end that is outside at an edge it is beyond, look again
+ *      0101 │ 0100 │ 0110        else: cut an end at an edge it is beyond, look again
  *
- * Models:     the algorithm, a cut at a time: the first end first, edges in the order left, right, below,
- *             above.
+ * Models:     the algorithm, a cut at a time: the first end first, edges in the order left, right,
+ *             below, above.
  * Cost:       8 comparisons for the two codes; a cut takes a multiplication, a division and 4
  *             comparisons. At most 4 cuts.
- * Domain:     finite coordinates whose differences and products of differences are finite; points on
- *             the edge are inside. A line of length 0 is a point.
+ * Domain:     finite coordinates whose differences and products of differences are finite; points
+ *             on the edge are inside. A line of length 0 is a point.
  * Units:      the caller's.
  * Ownership:  plain values.
- * Errors:     none. An end that was cut is on the edge exactly; where rounding moves it back beyond an
- *             edge it was cut at before, it is put on the corner, so that the cuts end.
- * Source:     D. Cohen and I. Sutherland, 1967; W. M. Newman, R. F. Sproull, Principles of Interactive
- *             Computer Graphics (1973).
+ * Errors:     none. An end that was cut is on the edge exactly; where rounding moves it back beyond
+ *             an edge it was cut at before, it is put on the corner, so that the cuts end.
+ * Source:     D. Cohen and I. Sutherland, 1967; W. M. Newman, R. F. Sproull, Principles of
+ *             Interactive Computer Graphics (1973).
  */
 #ifndef ROMS_CLIP_COHEN_SUTHERLAND_H
 #define ROMS_CLIP_COHEN_SUTHERLAND_H

@@ -1,17 +1,18 @@
 /* liang_barsky.h — a line clipped to a window by its parameter.
  *
- *      x = x0 + t·dx, y = y0 + t·dy        p₁ = −dx  q₁ = x0 − x_min     p < 0: enters at q/p
- *      p·t <= q for the four edges         p₂ =  dx  q₂ = x_max − x0     p > 0: leaves at q/p
- *                                          p₃ = −dy  q₃ = y0 − y_min     p = 0: parallel; q < 0: out
- *                                          p₄ =  dy  q₄ = y_max − y0     t1 > t2: nothing is left
+ *      x = x0 + t·dx, y = y0 + t·dy      p₁ = −dx  q₁ = x0 − x_min   p < 0: enters at q/p
+ *      p·t <= q for the four edges       p₂ =  dx  q₂ = x_max − x0   p > 0: leaves at q/p
+ *                                        p₃ = −dy  q₃ = y0 − y_min   p = 0: parallel; q < 0: out
+ *                                        p₄ =  dy  q₄ = y_max − y0   t1 > t2: nothing is left
  *
  * Models:     the algorithm, an edge at a time for those who want to see it.
- * Cost:       at most 4 divisions and 2 multiplications an end; none where the window is missed early.
+ * Cost:       at most 4 divisions and 2 multiplications an end; none where the window is missed
+ *             early.
  * Domain:     finite coordinates; points on the edge are inside. A line of length 0 is a point.
  * Units:      the caller's.
  * Ownership:  plain values.
- * Errors:     none. A clipped end may miss the edge by rounding: 4 units in the last place of the largest
- *             coordinate.
+ * Errors:     none. A clipped end may miss the edge by rounding: 4 units in the last place of the
+ *             largest coordinate.
  * Source:     Y.-D. Liang, B. A. Barsky, ACM Transactions on Graphics 3 (1984) 1.
  */
 #ifndef ROMS_CLIP_LIANG_BARSKY_H

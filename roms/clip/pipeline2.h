@@ -3,15 +3,16 @@
  *      MC ──model──▶ WC ──view──▶ VC ──normalize──▶ NVC ──(clip)──device──▶ DC
  *      modelling     world        viewing           normalized viewing      device coordinates
  *
- * Models:     one matrix a stage and their products; points, lines and polygons through all of it, clipped
- *             to the viewport in normalized coordinates.
- * Cost:       15 matrix elements a setting; then 4 multiplications a point, the clipper's, and 2 more a
- *             point that is left.
+ * Models:     one matrix a stage and their products; points, lines and polygons through all of it,
+ *             clipped to the viewport in normalized coordinates.
+ * Cost:       15 matrix elements a setting; then 4 multiplications a point, the clipper's, and 2
+ *             more a point that is left.
  * Units:      MC, WC, VC: the caller's; NVC: 0…1; DC: the device's.
  * Ownership:  plain values.
- * Errors:     begin: false for a window without an area or a frame without a direction up; nothing is
- *             then written.
- * Source:     D. Hearn, M. P. Baker, Computer Graphics (2nd ed. 1994), section 6-1; ISO 7942 (GKS, 1985).
+ * Errors:     begin: false for a window without an area or a frame without a direction up; nothing
+ *             is then written.
+ * Source:     D. Hearn, M. P. Baker, Computer Graphics (2nd ed. 1994), section 6-1; ISO 7942 (GKS,
+ *             1985).
  */
 #ifndef ROMS_CLIP_PIPELINE2_H
 #define ROMS_CLIP_PIPELINE2_H
@@ -48,7 +49,8 @@ void pipeline2_model(struct pipeline2 *p, const struct matrix3 *model);
 /* To DC; false: nothing of it is within the viewport, and it stays as it was. */
 bool pipeline2_point(const struct pipeline2 *p, struct point2 *at);
 bool pipeline2_line(const struct pipeline2 *p, struct point2 *a, struct point2 *b);
-/* Calls line(…) with what is left of each line between neighbours; every point is transformed once. */
+/* Calls line(…) with what is left of each line between neighbours; every point is transformed
+ * once. */
 void pipeline2_polyline(const struct pipeline2 *p, const struct point2 *points, int count,
                         void (*line)(void *ctx, struct point2 a, struct point2 b), void *ctx);
 /* Leaves what is left in work->corner, in DC; its corners, 0: nothing, or more than

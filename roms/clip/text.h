@@ -4,9 +4,10 @@
  *        TEXT│TEXT       │        character:  whole characters           │  XT       │
  *            └───────────┘        component:  what lies within, dot by dot
  *
- * Models:     characters of dots, each in a cell of its own; cells stand side by side. The first two rules
- *             look at the boxes of cells, the third cuts every dot.
- * Cost:       string: 4 comparisons; character: 4 a character; component: 4 comparisons a run of dots.
+ * Models:     characters of dots, each in a cell of its own; cells stand side by side. The first
+ *             two rules look at the boxes of cells, the third cuts every dot.
+ * Cost:       string: 4 comparisons; character: 4 a character; component: 4 comparisons a run of
+ *             dots.
  * Domain:     a font of at most 8 dots across a character; finite sizes.
  * Units:      the caller's, y up. Dots: the font's; row 0 is the top.
  * Ownership:  the text and the font must outlive the iterator.
@@ -43,7 +44,8 @@ struct clip_window clip_text_cell(const struct clip_text *t, int number);
 bool clip_text_shows(const struct clip_text *t, const struct clip_window *window,
                      enum clip_text_rule rule, int number);
 
-/* The lit parts that are left, a run of dots at a time, from the first character on, top row first. */
+/* The lit parts that are left, a run of dots at a time, from the first character on, top row
+ * first. */
 struct clip_text_parts {
     struct clip_window part; /* a rectangle */
     /* Private. */

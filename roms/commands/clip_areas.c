@@ -12,7 +12,7 @@
 #include "roms/monitor/print.h"
 #include "roms/raster/font.h"
 
-/* ---- points ------------------------------------------------------------------------------------- */
+/* ---- points ---------------------------------------------------------------------------------- */
 
 static void show_points(struct monitor *m, const struct clip_window *window, const struct point2 *p,
                         int count)
@@ -47,7 +47,7 @@ bool clip_point_command(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- polygons ----------------------------------------------------------------------------------- */
+/* ---- polygons -------------------------------------------------------------------------------- */
 
 static void area(const struct graph *g, const struct point2 *p, int count, enum ink ink)
 {
@@ -126,7 +126,7 @@ bool clip_polygon_command(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- text --------------------------------------------------------------------------------------- */
+/* ---- text ------------------------------------------------------------------------------------ */
 
 enum { TEXT_MOST = 24, RULES = 3 };
 

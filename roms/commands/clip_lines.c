@@ -58,7 +58,7 @@ static void show(struct monitor *m, const struct job *j, bool left, struct point
     stage_end(&m->stage);
 }
 
-/* ---- Cohen-Sutherland --------------------------------------------------------------------------- */
+/* ---- Cohen-Sutherland ------------------------------------------------------------------------ */
 
 static void cut_row(const struct cohen_sutherland *k, int number)
 {
@@ -117,7 +117,7 @@ bool clip_cohen_sutherland_command(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- Liang-Barsky ------------------------------------------------------------------------------- */
+/* ---- Liang-Barsky ---------------------------------------------------------------------------- */
 
 /* Rounded once, when it is written: four decimals of a float of 78.00885 would be 78.0089. */
 static void print_at(const struct job *j, const struct liang_barsky *k, float t)

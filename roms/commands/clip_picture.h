@@ -1,7 +1,8 @@
-/* clip_picture.h — pictures of clipping: the window, the nine regions, what is left and what is cut away.
+/* clip_picture.h — pictures of clipping: the window, the nine regions, what is left and what is cut
+ * away.
  *
- * Models:     what is left is bright, what is cut away red on the raster head, dim and dashed on the
- *             vector head.
+ * Models:     what is left is bright, what is cut away red on the raster head, dim and dashed on
+ *             the vector head.
  * Units:      world, by a graph (roms/stage/graph.h).
  * Ownership:  plain values.
  * Errors:     none.

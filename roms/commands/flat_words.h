@@ -1,8 +1,8 @@
 /* flat_words.h — what the commands of the plane take and print alike.
  *
  * Models:     coordinates, windows and lists of points as words; figures as the course writes them.
- * Domain:     coordinates within ±FLAT_MOST, so that single precision keeps five figures and nothing
- *             overflows.
+ * Domain:     coordinates within ±FLAT_MOST, so that single precision keeps five figures and
+ *             nothing overflows.
  * Ownership:  plain values.
  * Errors:     as words.h: false, and a sentence is left.
  */

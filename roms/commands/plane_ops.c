@@ -34,7 +34,7 @@ static struct plane_step rotation(float degrees)
     return step(transform2_rotate(degrees), "R(%g)", (double)degrees + 0.0);
 }
 
-/* ---- one function an operation ------------------------------------------------------------------- */
+/* ---- one function an operation --------------------------------------------------------------- */
 
 static bool translate(struct words *w, struct plane_op *o)
 {
@@ -166,7 +166,7 @@ static bool shear(struct words *w, struct plane_op *o)
     return true;
 }
 
-/* ---- all of them --------------------------------------------------------------------------------- */
+/* ---- all of them ----------------------------------------------------------------------------- */
 
 static const struct {
     const char *name;

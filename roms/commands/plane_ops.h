@@ -1,6 +1,7 @@
 /* plane_ops.h — transformations of the plane as words: "rotate-about 45 4 3 then translate 2 0".
  *
- * Models:     each operation as a matrix, and those about a point or a line as their elementary steps, too.
+ * Models:     each operation as a matrix, and those about a point or a line as their elementary
+ *             steps, too.
  * Units:      degrees, anticlockwise; lengths the user's.
  * Ownership:  plain values.
  * Errors:     as words.h.

@@ -1,6 +1,7 @@
 /* plane_picture.h — figures before and after a transformation, on axes.
  *
- * Models:     the figure before in cyan, after in yellow, filled where the head can; corners are lettered.
+ * Models:     the figure before in cyan, after in yellow, filled where the head can; corners are
+ *             lettered.
  * Units:      world, by a graph (roms/stage/graph.h).
  * Ownership:  plain values.
  * Errors:     none.

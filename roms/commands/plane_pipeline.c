@@ -90,7 +90,7 @@ static int clip(struct job *j)
     return pipeline2_polygon(&j->pipeline, j->figure.corner, j->figure.count, &j->work);
 }
 
-/* ---- the picture ------------------------------------------------------------------------------------ */
+/* ---- the picture ----------------------------------------------------------------------------- */
 
 /* The window, which the view turns, as corners in the world. */
 static void window_in_world(const struct job *j, struct point2 corner[4])

@@ -7,7 +7,7 @@
 #include "roms/commands/plane_parts.h"
 #include "roms/monitor/print.h"
 
-/* ---- window ---------------------------------------------------------------------------------------- */
+/* ---- window ---------------------------------------------------------------------------------- */
 
 static bool take_window(struct words *w, struct clip_window *out)
 {
@@ -91,7 +91,7 @@ bool plane_window(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- view ------------------------------------------------------------------------------------------- */
+/* ---- view ------------------------------------------------------------------------------------ */
 
 static void frame_axes(const struct graph *g, struct point2 origin, struct point2 up)
 {

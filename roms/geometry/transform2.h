@@ -1,21 +1,21 @@
 /* transform2.h — transformations of the plane as matrices.
  *
- *      translate      rotate, θ anticlockwise    scale           shear x            reflect in y = mx + c
- *      | 1 0 tx |     | cos θ  −sin θ  0 |       | sx 0  0 |     | 1 k −k·y0 |      see transform2.c
+ *      translate      rotate anticlockwise       scale           shear x
+ *      | 1 0 tx |     | cos θ  −sin θ  0 |       | sx 0  0 |     | 1 k −k·y0 |
  *      | 0 1 ty |     | sin θ   cos θ  0 |       | 0  sy 0 |     | 0 1   0   |
  *      | 0 0 1  |     |   0       0    1 |       | 0  0  1 |     | 0 0   1   |
  *
  *      about a point: T(x, y) · M · T(−x, −y); first: rightmost (matrix3.h)
  *
  * Models:     the elementary transformations, those about a point or a line, composition.
- * Cost:       a matrix takes at most 8 multiplications and, where an angle stands, a sine and a cosine; a
- *             point then takes 4 multiplications and 4 additions, whatever was composed.
+ * Cost:       a matrix takes at most 8 multiplications and, where an angle stands, a sine and a
+ *             cosine; a point then takes 4 multiplications and 4 additions, whatever was composed.
  * Domain:     any finite values; scaling by 0 has no inverse.
  * Units:      angles in degrees, anticlockwise positive; lengths the caller's.
  * Ownership:  plain values.
  * Errors:     none. Sines and cosines of multiples of 90° are 0, 1 and −1 exactly.
- * Source:     A. F. Möbius, Der barycentrische Calcul (1827), for homogeneous coordinates; L. G. Roberts,
- *             MIT Lincoln Laboratory MS-1405 (1965), for their use in computer graphics.
+ * Source:     A. F. Möbius, Der barycentrische Calcul (1827), for homogeneous coordinates; L. G.
+ *             Roberts, MIT Lincoln Laboratory MS-1405 (1965), for their use in computer graphics.
  */
 #ifndef ROMS_GEOMETRY_TRANSFORM2_H
 #define ROMS_GEOMETRY_TRANSFORM2_H

@@ -1,4 +1,5 @@
-/* clipping.c — the lesson on windows and clipping: its scenes in order, and what they have in common. */
+/* clipping.c — the lesson on windows and clipping: its scenes in order, and what they have in
+ * common. */
 #include "roms/lessons/clipping.h"
 
 #include <math.h>
@@ -77,7 +78,7 @@ void clipping_codes(struct stage *s, const struct clip_window *w)
     }
 }
 
-/* ---- a point and its code ------------------------------------------------------------------------- */
+/* ---- a point and its code -------------------------------------------------------------------- */
 
 static void lit_region(struct stage *s, const struct clip_window *w, struct point2 p)
 {
@@ -126,7 +127,7 @@ float clipping_regions(struct stage *s, float since)
     return 18;
 }
 
-/* ---- the lesson ------------------------------------------------------------------------------------ */
+/* ---- the lesson ------------------------------------------------------------------------------ */
 
 static float (*const draw_scene[])(struct stage *, float) = {
     clipping_regions, clipping_cohen_sutherland, clipping_liang_barsky,

@@ -1,7 +1,7 @@
 /* clipping.h — the scenes of the lesson on clipping.
  *
- * Models:     each draws its whole picture, title and caption included, as it is so many seconds after it
- *             began.
+ * Models:     each draws its whole picture, title and caption included, as it is so many seconds
+ *             after it began.
  * Ownership:  nothing.
  * Errors:     none.
  */

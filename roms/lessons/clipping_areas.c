@@ -9,7 +9,7 @@
 #include "roms/lessons/large_text.h"
 #include "roms/raster/font.h"
 
-/* ---- polygons --------------------------------------------------------------------------------------- */
+/* ---- polygons -------------------------------------------------------------------------------- */
 
 enum { POINTS = 7, CORNERS = 2 * POINTS, PASSES = 4 };
 #define PASS_SECONDS  2.4f
@@ -102,7 +102,7 @@ float clipping_polygon(struct stage *s, float since)
     return ROUND_SECONDS;
 }
 
-/* ---- text -------------------------------------------------------------------------------------------- */
+/* ---- text ------------------------------------------------------------------------------------ */
 
 static const struct clip_font font = {FONT_WIDTH, FONT_HEIGHT, font_row};
 

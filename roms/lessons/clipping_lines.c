@@ -24,7 +24,7 @@ static void end_mark(struct stage *s, struct point2 p, const char *name, enum in
     large_text(s, p.x + 10, p.y + 8, name);
 }
 
-/* ---- Cohen-Sutherland ------------------------------------------------------------------------------ */
+/* ---- Cohen-Sutherland ------------------------------------------------------------------------ */
 
 static const struct point2 lines[][2] = {
     {{90, 120}, {560, 380}},  /* two cuts at one end */
@@ -121,7 +121,7 @@ float clipping_cohen_sutherland(struct stage *s, float since)
     return whole;
 }
 
-/* ---- Liang-Barsky ----------------------------------------------------------------------------------- */
+/* ---- Liang-Barsky ---------------------------------------------------------------------------- */
 
 enum { AXIS_LEFT = 60, AXIS_RIGHT = 790, AXIS_Y = 70 };
 
@@ -214,7 +214,7 @@ float clipping_liang_barsky(struct stage *s, float since)
     return 26;
 }
 
-/* ---- many lines -------------------------------------------------------------------------------------- */
+/* ---- many lines ------------------------------------------------------------------------------ */
 
 float clipping_fan(struct stage *s, float since)
 {

@@ -62,10 +62,10 @@ static struct {
     bool made;
 } map;
 
-static const struct clip_window map_viewport = {0, 0, 866, 800}; /* stage units */
-static const struct clip_window inset_viewport = {884, 530, 1200, 793};
+static const struct clip_window map_viewport = {0, 0, 866, 780}; /* stage units */
+static const struct clip_window inset_viewport = {884, 516, 1200, 779};
 
-/* ---- drawing through the pipeline ------------------------------------------------------------------- */
+/* ---- drawing through the pipeline ------------------------------------------------------------ */
 
 static void to_stage(void *ctx, struct point2 a, struct point2 b)
 {
@@ -190,7 +190,7 @@ static void draw_ship(struct stage *s, struct pipeline2 *p, float seconds)
     place_model(s, p, hull, 5, at, turn, 1.2f / sqrtf(map.view.zoom));
 }
 
-/* ---- what stands beside the map ---------------------------------------------------------------------- */
+/* ---- what stands beside the map -------------------------------------------------------------- */
 
 static void inset(struct stage *s)
 {
@@ -241,8 +241,12 @@ static void panel(struct stage *s)
 {
     enum { X = 884 };
     char text[24];
-    float km = 866 / 800.0f * 106 / map.view.zoom;
-    float bar = km > 60 ? 20 : km > 30 ? 10 : km > 15 ? 5 : 2, length = bar / km * 866;
+    float km = map_viewport.x_max / map_viewport.y_max * 106 / map.view.zoom; /* across */
+    float bar = km > 60   ? 20
+                : km > 30 ? 10
+                : km > 15 ? 5
+                          : 2,
+          length = bar / km * map_viewport.x_max;
     stage_ink(s, INK_BRIGHT);
     snprintf(text, sizeof text, "zoom %4.1f", (double)map.view.zoom);
     large_text(s, X, 450, text);
@@ -258,7 +262,7 @@ static void panel(struct stage *s)
     large_text(s, X, 14, text);
 }
 
-/* ---- the lesson --------------------------------------------------------------------------------------- */
+/* ---- the lesson ------------------------------------------------------------------------------ */
 
 static void begin(void *state)
 {

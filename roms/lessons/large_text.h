@@ -1,7 +1,7 @@
 /* large_text.h — text that can be read from the back of a room.
  *
- * Models:     characters twice as large on the raster head; on the vector head the one size that its
- *             character generator has. Numbers and matrices made of them.
+ * Models:     characters twice as large on the raster head; on the vector head the one size that
+ *             its character generator has. Numbers and matrices made of them.
  * Units:      stage units (roms/stage/stage.h); a character takes LARGE_ADVANCE on the raster head.
  * Ownership:  nothing.
  * Errors:     none.

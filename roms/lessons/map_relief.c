@@ -25,7 +25,8 @@ static uint8_t shade(int height, int light)
     return (uint8_t)(16 + ramps[band] * INK_LEVELS + level);
 }
 
-/* Pairs of pixels of two rows; u, v: the place in cells of the grid · 65536, du, dv: a pair further. */
+/* Pairs of pixels of two rows; u, v: the place in cells of the grid · 65536, du, dv: a pair
+ * further. */
 static void row_pair(uint8_t *row, uint32_t pitch, int pairs, const struct map_terrain *t,
                      int32_t u, int32_t v, int32_t du, int32_t dv)
 {

@@ -1,9 +1,9 @@
 /* map_relief.h — shaded relief with tints of height, in pixels of the raster head.
  *
- *      pixel ──whole pipeline, backwards──▶ place in the world ──▶ height, light ──▶ shade of a ramp
+ *      pixel ──pipeline, backwards──▶ place in the world ──▶ height, light ──▶ shade of a ramp
  *
- * Models:     heights and light between the grid's nodes by two linear interpolations; four pixels of a
- *             square have one shade.
+ * Models:     heights and light between the grid's nodes by two linear interpolations; four pixels
+ *             of a square have one shade.
  * Cost:       about 90 operations a square.
  * Units:      stage units for the viewport.
  * Ownership:  nothing.

@@ -68,7 +68,7 @@ static void make_grid(struct map_terrain *t)
             t->light[row][column] = light_at(t, row, column);
 }
 
-/* ---- contour lines ---------------------------------------------------------------------------------- */
+/* ---- contour lines --------------------------------------------------------------------------- */
 
 /* Edges of the grid are numbered: from a node to the right, and up. */
 static int edge_right(int row, int column)
@@ -87,8 +87,8 @@ static void join(struct map_terrain *t, int a, int b)
     t->joined[b][t->joined[b][0] >= 0] = (int16_t)a;
 }
 
-/* Joins the edges of a cell that the contour crosses: two, or at a saddle two and two, so that what the
- * middle is stays together. */
+/* Joins the edges of a cell that the contour crosses: two, or at a saddle two and two, so that what
+ * the middle is stays together. */
 static void cell(struct map_terrain *t, int row, int column, float level)
 {
     const float h[4] = {t->height[row][column], t->height[row][column + 1],
@@ -157,7 +157,7 @@ static void contour(struct map_terrain *t, int level)
             trace(t, edge, level);
 }
 
-/* ---- rivers ------------------------------------------------------------------------------------------ */
+/* ---- rivers ---------------------------------------------------------------------------------- */
 
 /* With some of the way it had, so that it bends. */
 static void run_river(struct map_terrain *t, int river)

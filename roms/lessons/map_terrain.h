@@ -3,13 +3,13 @@
  *      hills ──▶ grid of heights ──▶ contour lines (coast: height 0)
  *                        └─────────▶ rivers: down the steepest way
  *
- * Models:     heights as sums of round hills and hollows with a little unrest; contour lines by marching
- *             squares, joined to polylines; a grid of light for shaded relief.
+ * Models:     heights as sums of round hills and hollows with a little unrest; contour lines by
+ *             marching squares, joined to polylines; a grid of light for shaded relief.
  * Units:      kilometres east and north; heights in kilometres.
  * Ownership:  plain value, about 200 KB; one for the program.
  * Errors:     none: contour points that do not fit are left out.
- * Source:     the island is invented; marching squares: W. E. Lorensen, H. E. Cline, Computer Graphics
- *             (SIGGRAPH) 21 (1987) 163, in two dimensions.
+ * Source:     the island is invented; marching squares: W. E. Lorensen, H. E. Cline, Computer
+ *             Graphics (SIGGRAPH) 21 (1987) 163, in two dimensions.
  */
 #ifndef ROMS_LESSONS_MAP_TERRAIN_H
 #define ROMS_LESSONS_MAP_TERRAIN_H

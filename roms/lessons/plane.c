@@ -13,7 +13,7 @@
 #include "roms/lessons/scenes.h"
 #include "roms/stage/graph.h"
 
-/* ---- scenes -------------------------------------------------------------------------------------- */
+/* ---- scenes ---------------------------------------------------------------------------------- */
 
 enum act { TRANSLATE, ROTATE, SCALE, MIRROR_LINE, MIRROR_IN_X, MIRROR_IN_Y, SHEAR_X, SHEAR_Y };
 enum { STEPS = 5, WAYS = 2 };
@@ -135,7 +135,7 @@ static int longest(const struct scene *s)
     return a > b ? a : b;
 }
 
-/* ---- the boat ------------------------------------------------------------------------------------- */
+/* ---- the boat -------------------------------------------------------------------------------- */
 
 enum { PARTS = 4, PART_CORNERS = 4 };
 
@@ -200,7 +200,7 @@ static void draw_ghost(const struct graph *g, const struct matrix3 *m, enum ink 
         draw_part(g, i, m, false);
 }
 
-/* ---- the picture ------------------------------------------------------------------------------------ */
+/* ---- the picture ----------------------------------------------------------------------------- */
 
 static struct scenes plane_scenes;
 
@@ -231,7 +231,8 @@ static void draw_mirror(const struct graph *g, const struct scene *s, const stru
         graph_line(g, a, b);
 }
 
-/* The mirror, or the point that stays: where they are, and where the steps so far have brought them. */
+/* The mirror, or the point that stays: where they are, and where the steps so far have brought
+ * them. */
 static void draw_marks(const struct graph *g, const struct scene *s, const struct matrix3 *m)
 {
     const struct matrix3 same = matrix3_identity();

@@ -1,7 +1,7 @@
 /* scenes.h — a lesson of several scenes: which one, since when, at what pace.
  *
- * Models:     a clock of the lesson's own, which can stand and go faster or slower; scenes one after the
- *             other, by themselves or by keys.
+ * Models:     a clock of the lesson's own, which can stand and go faster or slower; scenes one
+ *             after the other, by themselves or by keys.
  * Units:      seconds.
  * Ownership:  plain values.
  * Errors:     none.

@@ -36,8 +36,8 @@ static bool near(struct point2 a, struct point2 b)
     return fabsf(a.x - b.x) <= 2e-5f && fabsf(a.y - b.y) <= 2e-5f;
 }
 
-/* Two clippers agree: the verdict and both ends. They may differ where rounding decides: there what one
- * of them leaves is a point. */
+/* Two clippers agree: the verdict and both ends. They may differ where rounding decides: there what
+ * one of them leaves is a point. */
 static int disagreements(int lines)
 {
     int bad = 0;
@@ -81,7 +81,8 @@ static float area(const struct point2 *p, int count)
     return twice / 2;
 }
 
-/* A window cut in four by a cross: the parts of a polygon in the quarters add up to what is in it. */
+/* A window cut in four by a cross: the parts of a polygon in the quarters add up to what is in
+ * it. */
 static int lost_areas(int polygons)
 {
     static struct sutherland_hodgman s;

@@ -1,5 +1,5 @@
-/* check_plane — transformations of the plane in the machine: properties on random cases. Exits with 0
- * when all hold. */
+/* check_plane — transformations of the plane in the machine: properties on random cases. Exits with
+ * 0 when all hold. */
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>

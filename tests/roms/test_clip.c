@@ -1,6 +1,6 @@
 /* Clipping (roms/clip): lines by both algorithms against each other and against an exact clipper in
- * double precision, polygons against Green's theorem, text against single dots. The sources are compiled
- * for this machine. */
+ * double precision, polygons against Green's theorem, text against single dots. The sources are
+ * compiled for this machine. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -37,7 +37,7 @@ static float random_whole(int limit)
     return (float)((int)random_below(2 * (uint32_t)limit + 1) - limit);
 }
 
-/* ---- the exact clipper ------------------------------------------------------------------------- */
+/* ---- the exact clipper ----------------------------------------------------------------------- */
 
 struct kept {
     double t1, t2; /* t1 > t2: nothing */
@@ -77,8 +77,8 @@ static double distance(struct point2 a, struct point2 b, double t1, double t2, s
 
 typedef bool clipper(const struct clip_window *w, struct point2 *a, struct point2 *b);
 
-/* To within `slack`, 1e-6 of the largest coordinate: what is left lies on the line, and each of its ends
- * between those that a window larger and one smaller by the slack would leave. */
+/* To within `slack`, 1e-6 of the largest coordinate: what is left lies on the line, and each of its
+ * ends between those that a window larger and one smaller by the slack would leave. */
 static void check_line(clipper *clip, const struct clip_window *w, struct point2 a, struct point2 b)
 {
     double largest = 0;
@@ -140,7 +140,8 @@ static void liang_barsky_is_exact(void **state)
     for_lines(by_liang_barsky);
 }
 
-/* At most four cuts, each moving an end that is outside onto the edge it names; ends in the window. */
+/* At most four cuts, each moving an end that is outside onto the edge it names; ends in the
+ * window. */
 static void cuts_are_few(const struct clip_window *w, struct point2 a, struct point2 b)
 {
     struct cohen_sutherland k;
@@ -182,8 +183,8 @@ static void lines_through_corners_end(void **state)
     }
 }
 
-/* Quotients of small whole numbers are equal when they should be: Liang-Barsky's verdict has no slack,
- * also where a line touches a corner or runs along an edge. */
+/* Quotients of small whole numbers are equal when they should be: Liang-Barsky's verdict has no
+ * slack, also where a line touches a corner or runs along an edge. */
 static void whole_numbers_are_decided_exactly(void **state)
 {
     (void)state;
@@ -236,7 +237,7 @@ static void inverted_windows_hold_nothing(void **state)
     }
 }
 
-/* ---- the course's examples --------------------------------------------------------------------- */
+/* ---- the course's examples ------------------------------------------------------------------- */
 
 static void assert_point(struct point2 p, double x, double y)
 {
@@ -287,7 +288,7 @@ static void parameters_of_the_course(void **state)
     assert_point(b, 78.0088, 10);
 }
 
-/* ---- polygons ----------------------------------------------------------------------------------- */
+/* ---- polygons -------------------------------------------------------------------------------- */
 
 static double area(const struct point2 *p, int count)
 {
@@ -299,8 +300,8 @@ static double area(const struct point2 *p, int count)
     return twice / 2;
 }
 
-/* The integral of the line's height, held within the window, over the part of its run that is within;
- * by the middle of each stretch on which it is linear. */
+/* The integral of the line's height, held within the window, over the part of its run that is
+ * within; by the middle of each stretch on which it is linear. */
 static double swept(const struct clip_window *w, struct point2 a, struct point2 b)
 {
     double x0 = fmin(fmax(a.x, w->x_min), w->x_max), x1 = fmin(fmax(b.x, w->x_min), w->x_max);
@@ -408,7 +409,7 @@ static void parts_stay_joined_by_doubled_edges(void **state)
     assert_int_equal(clip_polygon_doubled(&w, whole, 4), 0);
 }
 
-/* ---- text --------------------------------------------------------------------------------------- */
+/* ---- text ------------------------------------------------------------------------------------ */
 
 static const struct clip_font font = {FONT_WIDTH, FONT_HEIGHT, font_row};
 

@@ -1,5 +1,6 @@
-/* Transformations of the plane and the viewing pipeline (roms/geometry, roms/clip) against their definitions in
- * double precision and the course's examples. The sources are compiled for this machine. */
+/* Transformations of the plane and the viewing pipeline (roms/geometry, roms/clip) against their
+ * definitions in double precision and the course's examples. The sources are compiled for this
+ * machine. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -51,7 +52,7 @@ static void assert_same(const struct matrix3 *a, const struct matrix3 *b, double
             assert_true(fabs((double)a->at[i][k] - (double)b->at[i][k]) <= slack);
 }
 
-/* ---- the course's examples --------------------------------------------------------------------- */
+/* ---- the course's examples ------------------------------------------------------------------- */
 
 static const struct point2 square[] = {{0, 0}, {2, 0}, {0, 2}, {2, 2}};
 
@@ -110,7 +111,7 @@ static void viewport_of_the_course(void **state)
     assert_takes(m, from, (const struct point2[]){{35, 60}, {60, 60}, {30, 40}}, 3);
 }
 
-/* ---- rotations --------------------------------------------------------------------------------- */
+/* ---- rotations ------------------------------------------------------------------------------- */
 
 static void quarters_are_exact(void **state)
 {
@@ -174,10 +175,10 @@ static void about_a_point_is_three_steps(void **state)
     }
 }
 
-/* ---- mirrors, shears, inverses ------------------------------------------------------------------ */
+/* ---- mirrors, shears, inverses --------------------------------------------------------------- */
 
-/* The closed form, and the mirror image by its definition: the middle lies on the line, and what joins the
- * two is square to it. */
+/* The closed form, and the mirror image by its definition: the middle lies on the line, and what
+ * joins the two is square to it. */
 static void mirror_images_are_opposite(void **state)
 {
     (void)state;
@@ -251,7 +252,7 @@ static void compositions_come_apart(void **state)
     assert_false(matrix3_inverse(&flat, &none));
 }
 
-/* ---- viewing -------------------------------------------------------------------------------------- */
+/* ---- viewing --------------------------------------------------------------------------------- */
 
 static void windows_zoom_and_pan(void **state)
 {
