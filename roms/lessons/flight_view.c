@@ -181,8 +181,8 @@ static void draw_lights(const struct flight_camera *c)
                                 INK_BRIGHT);
 }
 
-/* Lights of the glide path beside the aiming point: each is white from above its angle, red
- * below. */
+/* Lights of the glide path beside the aiming point: each is white from above its angle, red below.
+ * */
 static void draw_glide_path(const struct flight_camera *c)
 {
     static const float angles[4] = {3.5f, 3.17f, 2.83f, 2.5f};
