@@ -4,16 +4,12 @@
 
 extern const struct lesson lesson_lines, lesson_drift, lesson_circles, lesson_plane,
     lesson_clipping, lesson_space, lesson_curves, lesson_solids, lesson_surfaces, lesson_shading,
-    lesson_segments, lesson_flight, lesson_inbetween;
+    lesson_segments, lesson_flight, lesson_inbetween, lesson_gallery_map;
 
 /* clang-format off: one a line */
 const struct lesson *const lessons[] = {
-    &lesson_lines,     &lesson_drift,
-    &lesson_circles,   &lesson_plane,
-    &lesson_clipping,  &lesson_space,
-    &lesson_curves,    &lesson_solids,
-    &lesson_surfaces,  &lesson_shading,
-    &lesson_segments,  &lesson_flight,
-    &lesson_inbetween, NULL,
+    &lesson_lines,    &lesson_drift,  &lesson_circles,   &lesson_plane,       &lesson_clipping,
+    &lesson_space,    &lesson_curves, &lesson_solids,    &lesson_surfaces,    &lesson_shading,
+    &lesson_segments, &lesson_flight, &lesson_inbetween, &lesson_gallery_map, NULL,
 };
 /* clang-format on */
