@@ -9,7 +9,7 @@ enum { SCENES = 5, SECONDS = 16 };
 
 static void begin(void *state)
 {
-    scenes_begin((struct scenes *)state, SCENES, SECONDS);
+    scenes_begin((struct scenes *)state, SCENES);
 }
 
 static void key(void *state, int k)
@@ -22,8 +22,9 @@ static float draw(void *state, struct stage *stage, float seconds)
     static void (*const scene[SCENES])(struct stage *, float) = {
         areas_scan_lines, areas_rules, areas_spreading, areas_leak, areas_attributes};
     struct scenes *s = (struct scenes *)state;
-    float t = scenes_time(s, seconds);
-    scene[s->now](stage, t);
+    float t = scenes_since(s, seconds);
+    scene[s->scene](stage, t);
+    scenes_end_after(s, SECONDS);
     return 0.04f;
 }
 

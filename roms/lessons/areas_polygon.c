@@ -159,7 +159,7 @@ static void figures(struct stage *s, const struct point2 *p, int count, struct p
 static void filled_star(struct stage *s, const struct point2 *p, int count, struct point2 middle,
                         enum polygon_rule rule, enum ink ink)
 {
-    struct point2 q[16];
+    struct point2 q[16] = {{0, 0}};
     for (int i = 0; i < count; i++)
         q[i] = (struct point2){stage_canvas_x(s, p[i].x), stage_canvas_y(s, p[i].y)};
     canvas_polygon(&s->canvas, q, count, rule, ink);

@@ -25,7 +25,7 @@ void art_area(struct stage *s, const struct point2 *p, int count, uint32_t colou
 
 static void begin(void *state)
 {
-    scenes_begin((struct scenes *)state, SCENES, SECONDS);
+    scenes_begin((struct scenes *)state, SCENES);
 }
 
 static void key(void *state, int k)
@@ -38,8 +38,9 @@ static float draw(void *state, struct stage *s, float seconds)
     static void (*const works[SCENES])(struct stage *, float) = {art_guilloche, art_whirls,
                                                                  art_kaleidoscope, art_lettering};
     struct scenes *scenes = (struct scenes *)state;
-    float t = scenes_time(scenes, seconds);
-    works[scenes->now](s, t);
+    float t = scenes_since(scenes, seconds);
+    works[scenes->scene](s, t);
+    scenes_end_after(scenes, SECONDS);
     return 0.02f;
 }
 

@@ -261,7 +261,7 @@ void plot_pie(struct stage *s, float seconds)
 
 static void begin(void *state)
 {
-    scenes_begin((struct scenes *)state, SCENES, SECONDS);
+    scenes_begin((struct scenes *)state, SCENES);
 }
 
 static void key(void *state, int k)
@@ -274,8 +274,9 @@ static float draw(void *state, struct stage *s, float seconds)
     static void (*const plots[SCENES])(struct stage *, float) = {plot_lines, plot_bars, plot_pie,
                                                                  plot_surface};
     struct scenes *scenes = (struct scenes *)state;
-    float t = scenes_time(scenes, seconds);
-    plots[scenes->now](s, t);
+    float t = scenes_since(scenes, seconds);
+    plots[scenes->scene](s, t);
+    scenes_end_after(scenes, SECONDS);
     return 0.04f;
 }
 

@@ -1,29 +1,31 @@
-/* scenes.h — a lesson of several scenes, one after the other.
+/* scenes.h — a lesson of several scenes: which one, since when, at what pace.
  *
- *      time ──▶ scene after scene      1…9, left, right: that scene, which stays
- *                                      space: the next one, and on by itself
- *
- * Ownership:  part of a lesson's state.
- * Errors:     none; other keys change nothing.
+ * Models:     a clock of the lesson's own, which can stand and go faster or slower; scenes one
+ *             after the other, by themselves or by keys.
+ * Units:      seconds.
+ * Ownership:  plain values.
+ * Errors:     none.
  */
 #ifndef ROMS_LESSONS_SCENES_H
 #define ROMS_LESSONS_SCENES_H
 
 #include <stdbool.h>
 
+#define SCENES_KEYS "space next  b before  p pause  + - pace"
+
 struct scenes {
-    int count, now;
-    float length; /* seconds that a scene lasts */
-    float begun;  /* when the present one did */
-    bool chosen;  /* begins when it is next drawn */
-    bool stays;
+    int scene, count;
+    bool paused;
+    /* Private. */
+    float now, begun, before, pace;
 };
 
-#define SCENES_KEYS "1 2 ... a scene   space on"
-
-void scenes_begin(struct scenes *scenes, int count, float length);
-void scenes_key(struct scenes *scenes, int key);
-/* Goes on to the next when it is time; seconds since the scene began. */
-float scenes_time(struct scenes *scenes, float seconds);
+void scenes_begin(struct scenes *s, int count);
+/* The keys of SCENES_KEYS, and the arrows. */
+void scenes_key(struct scenes *s, int key);
+/* How long the scene is on. `seconds`: the lesson's. */
+float scenes_since(struct scenes *s, float seconds);
+/* After so long the next one follows; call it after drawing. */
+void scenes_end_after(struct scenes *s, float length);
 
 #endif

@@ -13,7 +13,7 @@ int menu_count(void)
 
 static bool of_gallery(int i)
 {
-    return strncmp(lessons[i]->name, "gallery-", 8) == 0;
+    return strncmp(lessons[i]->title, "Gallery: ", 9) == 0;
 }
 
 /* The first of the gallery: the second column begins with it. */

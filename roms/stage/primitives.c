@@ -1,64 +1,119 @@
-/* primitives.c — lines, areas, markers and text by the drivers of both heads. */
+/* primitives.c — lines, areas and markers by the drivers of both heads. */
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "roms/clip/liang_barsky.h"
-#include "roms/raster/font.h"
 #include "roms/raster/polygon_fill.h"
-#include "roms/stage/stage.h"
+#include "roms/stage/device.h"
+#include "roms/stage/hatch.h"
 
-enum {
-    MARKER = 7,        /* half of a marker's arm, stage units */
-    CHARACTER = 14,    /* advance of a character on the vector head, head units */
-    AREA_CORNERS = 64, /* at most */
-};
+enum { MARKER = 7 /* half of a marker's arm, stage units */ };
 
-static int nearest(float v)
+static const struct clip_window picture = {0, 0, STAGE_WIDTH, STAGE_HEIGHT};
+
+/* ---- lines ----------------------------------------------------------------------------------- */
+
+static void raster_line(struct stage *s, struct point2 a, struct point2 b)
 {
-    return (int)floorf(v + 0.5f);
+    canvas_line(&s->canvas, device_dot(s, a.x), device_row(s, a.y), device_dot(s, b.x),
+                device_row(s, b.y), s->ink);
 }
 
-static int dot_of(const struct stage *s, float x)
-{
-    return nearest(stage_canvas_x(s, x));
-}
-
-static int row_of(const struct stage *s, float y)
-{
-    return nearest(stage_canvas_y(s, y));
-}
-
-static int head_x(const struct stage *s, float x)
-{
-    return nearest(stage_head_x(s, x));
-}
-
-static int head_y(const struct stage *s, float y)
-{
-    return nearest(stage_head_y(s, y));
-}
-
-static void vector_line(struct stage *s, float x0, float y0, float x1, float y1)
+/* The beam starts where it is when it is there already. A vector without length lights nothing: a
+ * point does. */
+static void vector_line(struct stage *s, struct point2 a, struct point2 b, int type)
 {
     struct display *d = &s->display;
-    int ax = head_x(s, x0), ay = head_y(s, y0);
-    if (d->x != ax || d->y != ay || d->mode < 0)
+    int ax = device_head_x(s, a.x), ay = device_head_y(s, a.y);
+    int bx = device_head_x(s, b.x), by = device_head_y(s, b.y);
+    bool there = d->mode >= 0 && d->mode != DF_MODE_CHAR && d->x == ax && d->y == ay;
+    if (s->type != type)
+        display_line_type(d, (unsigned)type);
+    s->type = type;
+    if (ax == bx && ay == by) {
+        if (!there || d->mode == DF_MODE_POINT)
+            display_dot(d, ax, ay);
+        return;
+    }
+    if (!there)
         display_at(d, ax, ay);
-    display_line(d, head_x(s, x1), head_y(s, y1));
+    display_line(d, bx, by);
+}
+
+static void solid(struct stage *s, unsigned heads, struct point2 a, struct point2 b)
+{
+    if (heads & STAGE_RASTER)
+        raster_line(s, a, b);
+    if (heads & STAGE_VECTOR)
+        vector_line(s, a, b, STAGE_SOLID);
+}
+
+/* ---- broken lines ---------------------------------------------------------------------------- */
+
+enum { DASHES = 4, LONGEST_PERIOD = 32 };
+#define SHORTEST_DASH 0.01f /* what rounding leaves of one is not drawn alone */
+
+/* Lit, dark, lit, dark; head units, as the VT11's counter makes them. */
+static const float dashes[][DASHES] = {
+    [STAGE_LONG_DASH] = {16, 16, 16, 16},
+    [STAGE_SHORT_DASH] = {8, 8, 8, 8},
+    [STAGE_DOT_DASH] = {16, 8, 2, 6},
+};
+
+/* Which dash a place of the pattern is in, and how much of it is left. */
+static int dash_at(const float *dash, float phase, float *left)
+{
+    int i = 0;
+    while (i < DASHES - 1 && phase >= dash[i])
+        phase -= dash[i++];
+    *left = dash[i] - phase;
+    return i;
+}
+
+/* Goes on with the pattern where the line before ended, so that curves are broken evenly. */
+static void broken(struct stage *s, unsigned heads, struct point2 a, struct point2 b)
+{
+    const float *dash = dashes[s->line_type], period = dash[0] + dash[1] + dash[2] + dash[3];
+    float length = hypotf(b.x - a.x, b.y - a.y) * s->units, at = 0;
+    float phase = s->dash_end.x == a.x && s->dash_end.y == a.y ? s->dash_phase : 0;
+    while (at < length) {
+        float left;
+        bool lit = dash_at(dash, phase, &left) % 2 == 0;
+        left = fminf(fmaxf(left, SHORTEST_DASH), length - at);
+        float t0 = at / length, t1 = fminf((at + left) / length, 1);
+        if (lit)
+            solid(s, heads, (struct point2){a.x + t0 * (b.x - a.x), a.y + t0 * (b.y - a.y)},
+                  (struct point2){a.x + t1 * (b.x - a.x), a.y + t1 * (b.y - a.y)});
+        at += left;
+        phase = phase + left < period ? phase + left : 0;
+    }
+    s->dash_end = b;
+    s->dash_phase = phase;
+}
+
+/* A vector that is long enough is broken by the vector generator. */
+static bool breaks_itself(const struct stage *s, struct point2 a, struct point2 b)
+{
+    float longer = fmaxf(fabsf(b.x - a.x), fabsf(b.y - a.y)) * s->units;
+    return longer >= 2 * LONGEST_PERIOD;
 }
 
 void stage_line(struct stage *s, float x0, float y0, float x1, float y1)
 {
-    static const struct clip_window picture = {0, 0, STAGE_WIDTH, STAGE_HEIGHT};
     struct point2 a = {x0, y0}, b = {x1, y1};
-    if (!clip_liang_barsky(&picture, &a, &b))
-        return;
-    if (s->heads & STAGE_RASTER)
-        canvas_line(&s->canvas, dot_of(s, a.x), row_of(s, a.y), dot_of(s, b.x), row_of(s, b.y),
-                    s->ink);
-    if (s->heads & STAGE_VECTOR)
-        vector_line(s, a.x, a.y, b.x, b.y);
+    if (!clip_point(&picture, a) || !clip_point(&picture, b)) { /* most lines lie within */
+        if (!device_sane(a) || !device_sane(b) || !clip_liang_barsky(&picture, &a, &b))
+            return;
+        a = device_inside(a);
+        b = device_inside(b);
+    }
+    if (s->line_type == STAGE_SOLID) {
+        solid(s, s->heads, a, b);
+    } else if ((s->heads & STAGE_VECTOR) && breaks_itself(s, a, b)) {
+        vector_line(s, a, b, (int)s->line_type);
+        broken(s, s->heads & STAGE_RASTER, a, b);
+    } else {
+        broken(s, s->heads, a, b);
+    }
 }
 
 void stage_polyline(struct stage *s, const struct point2 *p, int count)
@@ -74,135 +129,79 @@ void stage_polygon(struct stage *s, const struct point2 *p, int count)
         stage_line(s, p[count - 1].x, p[count - 1].y, p[0].x, p[0].y);
 }
 
-void stage_area(struct stage *s, const struct point2 *p, int count)
-{
-    unsigned heads = s->heads;
-    if (heads & STAGE_RASTER) {
-        struct point2 q[AREA_CORNERS];
-        count = count < AREA_CORNERS ? count : AREA_CORNERS;
-        for (int i = 0; i < count; i++)
-            q[i] = (struct point2){stage_canvas_x(s, p[i].x), stage_canvas_y(s, p[i].y)};
-        canvas_polygon(&s->canvas, q, count, POLYGON_EVEN_ODD, s->ink);
-    }
-    stage_heads(s, heads & STAGE_VECTOR);
-    stage_polygon(s, p, count);
-    stage_heads(s, heads);
-}
-
 void stage_rectangle(struct stage *s, float x, float y, float width, float height)
 {
     struct point2 corners[] = {{x, y}, {x + width, y}, {x + width, y + height}, {x, y + height}};
     stage_polygon(s, corners, 4);
 }
 
+/* ---- areas ----------------------------------------------------------------------------------- */
+
+/* An upright rectangle, which many areas are, has a short cut to the same pixels. */
+static bool upright(const struct point2 *p, int count)
+{
+    return count == 4 &&
+           ((p[0].x == p[3].x && p[1].x == p[2].x && p[0].y == p[1].y && p[2].y == p[3].y) ||
+            (p[0].y == p[3].y && p[1].y == p[2].y && p[0].x == p[1].x && p[2].x == p[3].x));
+}
+
+static void fill_upright(const struct canvas *c, const struct point2 *p, uint32_t colour)
+{
+    int x0 = (int)ceilf(fminf(p[0].x, p[2].x)), x1 = (int)ceilf(fmaxf(p[0].x, p[2].x));
+    int y0 = (int)ceilf(fminf(p[0].y, p[2].y)), y1 = (int)ceilf(fmaxf(p[0].y, p[2].y));
+    canvas_fill(c, x0, y0, x1 - x0, y1 - y0, colour);
+}
+
+static void raster_area(struct stage *s, const struct point2 *p, int count)
+{
+    struct point2 q[STAGE_AREA_CORNERS];
+    int left, top;
+    struct canvas c = stage_picture(s, &left, &top);
+    for (int i = 0; i < count; i++) {
+        if (!device_sane(p[i]))
+            return;
+        q[i].x = stage_canvas_x(s, p[i].x) - (float)left;
+        q[i].y = stage_canvas_y(s, p[i].y) - (float)top;
+    }
+    if (upright(q, count))
+        fill_upright(&c, q, s->ink);
+    else
+        canvas_polygon(&c, q, count, POLYGON_EVEN_ODD, s->ink);
+}
+
+void stage_area(struct stage *s, const struct point2 *p, int count)
+{
+    unsigned heads = s->heads;
+    enum stage_line_type type = s->line_type;
+    bool fits = count <= STAGE_AREA_CORNERS;
+    if (fits && (heads & STAGE_RASTER))
+        raster_area(s, p, count);
+    stage_heads(s, fits ? heads & STAGE_VECTOR : heads);
+    stage_line_type(s, STAGE_SOLID);
+    stage_polygon(s, p, count);
+    if (fits && s->hatch_apart > 0 && s->heads != 0)
+        hatch_area(s, p, count);
+    stage_line_type(s, type);
+    stage_heads(s, heads);
+}
+
+/* ---- markers --------------------------------------------------------------------------------- */
+
 void stage_marker(struct stage *s, float x, float y)
 {
+    enum stage_line_type type = s->line_type;
+    stage_line_type(s, STAGE_SOLID);
     stage_line(s, x - MARKER, y, x + MARKER, y);
     stage_line(s, x, y - MARKER, x, y + MARKER);
+    stage_line_type(s, type);
 }
 
 void stage_dot(struct stage *s, float x, float y)
 {
-    if (x < 0 || y < 0 || x > STAGE_WIDTH || y > STAGE_HEIGHT)
+    if (!clip_point(&picture, (struct point2){x, y}))
         return;
     if (s->heads & STAGE_RASTER)
-        canvas_dot(&s->canvas, dot_of(s, x), row_of(s, y), s->ink);
+        canvas_dot(&s->canvas, device_dot(s, x), device_row(s, y), s->ink);
     if (s->heads & STAGE_VECTOR)
-        display_dot(&s->display, head_x(s, x), head_y(s, y));
-}
-
-/* ---- text -------------------------------------------------------------------------------------- */
-
-/* Pixels a dot of the font. */
-static int font_scale(const struct stage *s)
-{
-    return s->canvas.height >= 900 ? 2 : 1;
-}
-
-void stage_text(struct stage *s, float x, float y, const char *text)
-{
-    int scale = font_scale(s);
-    if (s->heads & STAGE_RASTER)
-        canvas_text(&s->canvas, dot_of(s, x), row_of(s, y) - (FONT_HEIGHT - 2) * scale, scale,
-                    scale, s->ink, text);
-    if (s->heads & STAGE_VECTOR)
-        display_text(&s->display, head_x(s, x), head_y(s, y), text);
-}
-
-void stage_text_middle(struct stage *s, float x, float y, const char *text)
-{
-    unsigned heads = s->heads;
-    float characters = (float)strlen(text);
-    float raster = characters * FONT_WIDTH * (float)font_scale(s) / 2 / s->dots;
-    float vector = characters * CHARACTER / 2 / s->units;
-    stage_heads(s, heads & STAGE_RASTER);
-    stage_text(s, x - raster, y, text);
-    stage_heads(s, heads & STAGE_VECTOR);
-    stage_text(s, x - vector, y, text);
-    stage_heads(s, heads);
-}
-
-void stage_number(struct stage *s, float x, float y, float value, int decimals)
-{
-    char text[32];
-    snprintf(text, sizeof text, "%.*f", decimals, (double)value);
-    stage_text(s, x, y, text);
-}
-
-void stage_title(struct stage *s, const char *text)
-{
-    int scale = font_scale(s);
-    canvas_text_middle(&s->canvas, s->canvas.width / 2, 6 * scale, scale, scale, INK_BRIGHT, text);
-    display_intensity(&s->display, ink_intensity(INK_BRIGHT));
-    display_text(&s->display, (1024 - (int)strlen(text) * CHARACTER) / 2, 960, text);
-    stage_ink(s, s->ink);
-}
-
-/* The length of the first line of a text when a line takes so many characters. */
-static int line_length(const char *text, int room)
-{
-    int length = (int)strlen(text);
-    if (length <= room)
-        return length;
-    for (int i = room; i > 0; i--)
-        if (text[i] == ' ')
-            return i;
-    return room;
-}
-
-/* Calls write(…) with each line of the text. */
-static void caption_lines(struct stage *s, const char *text, int room,
-                          void (*write)(struct stage *s, int line, const char *text))
-{
-    for (int line = 0; line < STAGE_CAPTION_LINES && *text != '\0'; line++) {
-        char part[128];
-        int length = line_length(text, room);
-        snprintf(part, sizeof part, "%.*s", length, text);
-        write(s, line, part);
-        text += length;
-        while (*text == ' ')
-            text++;
-    }
-}
-
-static void raster_caption(struct stage *s, int line, const char *text)
-{
-    int scale = font_scale(s),
-        from_bottom = (STAGE_CAPTION_LINES - line) * (FONT_HEIGHT + 1) + FONT_HEIGHT + 4;
-    canvas_text_middle(&s->canvas, s->canvas.width / 2, s->canvas.height - scale * from_bottom,
-                       scale, scale, INK_TEXT, text);
-}
-
-static void vector_caption(struct stage *s, int line, const char *text)
-{
-    display_text(&s->display, (1024 - (int)strlen(text) * CHARACTER) / 2, 90 - 40 * line, text);
-}
-
-void stage_caption(struct stage *s, const char *text)
-{
-    enum { MARGIN = 2 };
-    caption_lines(s, text, s->canvas.width / (FONT_WIDTH * font_scale(s)) - MARGIN, raster_caption);
-    display_intensity(&s->display, ink_intensity(INK_TEXT));
-    caption_lines(s, text, 1024 / CHARACTER - MARGIN, vector_caption);
-    stage_ink(s, s->ink);
+        display_dot(&s->display, device_head_x(s, x), device_head_y(s, y));
 }

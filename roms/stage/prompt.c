@@ -31,7 +31,7 @@ void stage_prompt_draw(const struct stage *stage, const struct canvas *c)
 void stage_prompt(struct stage *stage, const char *text)
 {
     snprintf(stage->prompted, sizeof stage->prompted, "%s", text);
-    stage_prompt_draw(stage, &stage->page[stage->shown]);
+    stage_prompt_draw(stage, &stage->page[stage->page_shown]);
     size_t length = strlen(stage->prompted);
     for (size_t i = 0; i < STAGE_PROMPT; i += 2) {
         unsigned low = i < length ? (unsigned char)stage->prompted[i] : 0;
