@@ -87,7 +87,7 @@ static bool belongs(const struct point2 *p, int count, int x, int y, enum polygo
 
 static void check_polygons(void)
 {
-    enum { CASES = 72 };
+    enum { CASES = 48 };
     int wrong = 0;
     for (int i = 0; i < CASES; i++) {
         struct canvas c = canvas_of(formats[i % 6]);
@@ -111,7 +111,7 @@ static void check_polygons(void)
 /* Triangles about a point, out to a rectangle: each pixel once. */
 static void check_tilings(void)
 {
-    enum { CASES = 150, RIM = 8 };
+    enum { CASES = 40, RIM = 8 };
     static const struct point2 rim[RIM] = {{-1, -1},        {20, -1},     {WIDTH, -1},  {WIDTH, 15},
                                            {WIDTH, HEIGHT}, {25, HEIGHT}, {-1, HEIGHT}, {-1, 12}};
     int wrong = 0;
@@ -157,7 +157,7 @@ static int search(const struct canvas *c, int x, int y, int connected, uint32_t 
 
 static void check_floods(void)
 {
-    enum { CASES = 150 };
+    enum { CASES = 48 };
     int wrong = 0;
     for (int i = 0; i < CASES; i++) {
         struct canvas c = canvas_of(formats[1 + i % 5]);
@@ -182,7 +182,7 @@ static void check_floods(void)
 
 static void check_antialiased(void)
 {
-    enum { CASES = 2000 };
+    enum { CASES = 500 };
     int wrong = 0;
     for (int i = 0; i < CASES; i++) {
         float x0 = random_within(0, 200), y0 = random_within(0, 200);
@@ -203,7 +203,7 @@ static void check_antialiased(void)
 
 static void check_dashes(void)
 {
-    enum { CASES = 500 };
+    enum { CASES = 100 };
     static const struct dash_pattern pattern = {{7, 3, 2, 3}, 4};
     const float total = 15;
     int wrong = 0;
@@ -236,7 +236,7 @@ static void check_dashes(void)
 
 static void check_thick(void)
 {
-    enum { CASES = 60 };
+    enum { CASES = 30 };
     int wrong = 0;
     for (int i = 0; i < CASES; i++) {
         struct canvas c = canvas_of(8);
@@ -259,7 +259,7 @@ static void check_thick(void)
 
 static void check_dither(void)
 {
-    enum { CASES = 40, SIDE = 64 };
+    enum { CASES = 16, SIDE = 64 };
     static float error[SIDE + 2];
     int wrong = 0;
     for (int i = 0; i < CASES; i++) {
