@@ -11,7 +11,7 @@
 #include "roms/solids/normals.h"
 #include "roms/solids/object_check.h"
 
-/* ---- making and drawing it ------------------------------------------------------------------------- */
+/* ---- making and drawing it ------------------------------------------------------------------- */
 
 struct look *present_look(void)
 {
@@ -152,7 +152,7 @@ static bool look(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- its tables -------------------------------------------------------------------------------------- */
+/* ---- its tables ------------------------------------------------------------------------------ */
 
 /* FROM TO, counted from 1; without them all. */
 static bool take_rows(struct words *w, int count, int *from, int *to)
@@ -244,7 +244,7 @@ static bool attributes(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- checks --------------------------------------------------------------------------------------------- */
+/* ---- checks ---------------------------------------------------------------------------------- */
 
 static void print_fault(const struct object_fault *f)
 {
@@ -305,7 +305,7 @@ static bool check(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- planes ----------------------------------------------------------------------------------------------- */
+/* ---- planes ---------------------------------------------------------------------------------- */
 
 static const char *side_text(float value)
 {
@@ -314,12 +314,16 @@ static const char *side_text(float value)
 
 static bool plane(struct monitor *m, struct words *w)
 {
+    enum { MOST_COORDINATE = 10000 };
     float v[9], at[3];
     if (!words_numbers(w, v, 9))
         return false;
     bool has_point = words_take(w, "at");
     if ((has_point && !words_numbers(w, at, 3)) || !words_end(w))
         return false;
+    for (int i = 0; i < 9; i++)
+        if (!(fabsf(v[i]) <= MOST_COORDINATE))
+            return words_refuse(w, "coordinates are -10000 to 10000");
     struct vector3 p1 = {v[0], v[1], v[2]}, p2 = {v[3], v[4], v[5]}, p3 = {v[6], v[7], v[8]};
     struct plane p = plane_through(p1, p2, p3);
     if (p.a == 0 && p.b == 0 && p.c == 0)

@@ -1,5 +1,5 @@
-/* gallery_cad.c — computer-aided design: a bracket in three elevations and an isometric view, its hidden
- * edges dashed, its dimensions measured; whoever changes one changes every view. */
+/* gallery_cad.c — computer-aided design: a bracket in three elevations and an isometric view, its
+ * hidden edges dashed, its dimensions measured; whoever changes one changes every view. */
 #include <stddef.h>
 #include <stdio.h>
 
@@ -81,7 +81,7 @@ static void change_by_time(struct cad *c, float seconds)
     c->chosen = which;
 }
 
-/* ---- views ----------------------------------------------------------------------------------------- */
+/* ---- views ----------------------------------------------------------------------------------- */
 
 static void dashed(struct stage *stage, struct vector3 a, struct vector3 b)
 {
@@ -155,7 +155,7 @@ static void isometric(const struct cad *c, struct stage *stage)
     stage_hidden_lines(stage, &w->lines, EDGES_CREASED);
 }
 
-/* ---- dimensions ---------------------------------------------------------------------------------------- */
+/* ---- dimensions ------------------------------------------------------------------------------ */
 
 static void arrow(struct stage *stage, float x, float y, float dx, float dy)
 {

@@ -35,7 +35,7 @@ struct workroom *workroom(void)
     return &room;
 }
 
-/* ---- named scenes --------------------------------------------------------------------------------- */
+/* ---- named scenes ---------------------------------------------------------------------------- */
 
 static void quad(struct object *o, const struct vector3 p[4], int attribute)
 {
@@ -138,7 +138,7 @@ bool scene_make(struct object *o, enum scene_which which)
     return which == SCENE_SOLIDS;
 }
 
-/* ---- views ------------------------------------------------------------------------------------------ */
+/* ---- views ----------------------------------------------------------------------------------- */
 
 struct matrix4 view_turn(float yaw, float pitch)
 {
@@ -173,7 +173,7 @@ float object_reach(const struct object *o)
     return reach;
 }
 
-/* ---- colours and lines -------------------------------------------------------------------------------- */
+/* ---- colours and lines ----------------------------------------------------------------------- */
 
 float scene_light(struct vector3 n)
 {

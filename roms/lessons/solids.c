@@ -1,4 +1,5 @@
-/* solids.c — the lesson about polygon tables: models turn beside their tables; broken tables are caught. */
+/* solids.c — the lesson about polygon tables: models turn beside their tables; broken tables are
+ * caught. */
 #include <stddef.h>
 #include <stdio.h>
 
@@ -51,7 +52,7 @@ static void key(void *state, int k)
     s->stays = true;
 }
 
-/* ---- objects -------------------------------------------------------------------------------------- */
+/* ---- objects --------------------------------------------------------------------------------- */
 
 static void lower(struct object *o, float by)
 {
@@ -95,7 +96,7 @@ static void make(struct solids *s)
     s->has_fault = object_check_next(&s->check, &s->fault);
 }
 
-/* ---- tables ----------------------------------------------------------------------------------------- */
+/* ---- tables ---------------------------------------------------------------------------------- */
 
 struct column {
     struct stage *stage;
@@ -202,7 +203,7 @@ static void report(struct stage *stage, const struct object *o, const struct sol
     }
 }
 
-/* ---- pictures ------------------------------------------------------------------------------------------ */
+/* ---- pictures -------------------------------------------------------------------------------- */
 
 static void label(struct stage *stage, struct vector3 at, char letter, int number)
 {

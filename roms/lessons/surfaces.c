@@ -1,4 +1,5 @@
-/* surfaces.c — the lesson about visible surfaces: one scene by each method, and where methods fail. */
+/* surfaces.c — the lesson about visible surfaces: one scene by each method, and where methods
+ * fail. */
 #include <stddef.h>
 #include <stdio.h>
 
@@ -40,7 +41,7 @@ static void key(void *state, int k)
     s->since = -1; /* draw knows the time */
 }
 
-/* ---- scenes ------------------------------------------------------------------------------------------ */
+/* ---- scenes ---------------------------------------------------------------------------------- */
 
 /* The scene at a place: in the workroom's pixels and lines. */
 static void build(struct surfaces *s, struct stage *stage, enum scene_which which, float yaw,
@@ -84,7 +85,7 @@ static void heading(struct stage *stage, float x, enum ink ink, const char *text
     stage_text_middle(stage, x, 20, text);
 }
 
-/* ---- wireframe, back faces ------------------------------------------------------------------------------ */
+/* ---- wireframe, back faces ------------------------------------------------------------------- */
 
 static void draw_wire(struct surfaces *s, struct stage *stage, float seconds)
 {
@@ -97,7 +98,7 @@ static void draw_wire(struct surfaces *s, struct stage *stage, float seconds)
                                 : "Every edge is drawn: what is in front, what is behind?");
 }
 
-/* ---- the depth buffer ------------------------------------------------------------------------------------ */
+/* ---- the depth buffer ------------------------------------------------------------------------ */
 
 struct range {
     float far, near;
@@ -191,7 +192,7 @@ static void draw_depth(struct surfaces *s, struct stage *stage, float seconds)
                   "is stored and shown.");
 }
 
-/* ---- scan line ----------------------------------------------------------------------------------------------- */
+/* ---- scan line ------------------------------------------------------------------------------- */
 
 enum { COLUMN = 850 };
 
@@ -261,7 +262,7 @@ static void draw_scan(struct surfaces *s, struct stage *stage, float seconds)
                          "matter only where two are.");
 }
 
-/* ---- painter's ------------------------------------------------------------------------------------------------- */
+/* ---- painter's ------------------------------------------------------------------------------- */
 
 /* The surfaces painted so far; on the vector head their outlines. */
 static void paint_part(struct stage *stage, float part)
@@ -314,7 +315,7 @@ static void draw_circle(struct surfaces *s, struct stage *stage, float seconds)
                                                 "they are cut up.");
 }
 
-/* ---- a buffer that begins with 0 ---------------------------------------------------------------------------------- */
+/* ---- a buffer that begins with 0 ------------------------------------------------------------- */
 
 /* What has z > 0. */
 static void near_lines(struct stage *stage)

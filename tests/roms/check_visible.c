@@ -1,6 +1,6 @@
-/* check_visible — properties of solids and visible surfaces, in the machine itself: models against Euler's
- * formula, the guidelines and closed forms; the methods against one another; hidden lines against the
- * depth buffer. One line a property; the exit status is 1 if one does not hold. */
+/* check_visible — properties of solids and visible surfaces, in the machine itself: models against
+ * Euler's formula, the guidelines and closed forms; the methods against one another; hidden lines
+ * against the depth buffer. One line a property; the exit status is 1 if one does not hold. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -43,7 +43,7 @@ static void property(bool holds, const char *text)
     rig.failed = rig.failed || !holds;
 }
 
-/* ---- models ------------------------------------------------------------------------------------------ */
+/* ---- models ---------------------------------------------------------------------------------- */
 
 static float volume(void)
 {
@@ -113,7 +113,7 @@ static void check_broken(void)
     property(right, "broken tables: each fails its own guideline only");
 }
 
-/* ---- scenes ------------------------------------------------------------------------------------------ */
+/* ---- scenes ---------------------------------------------------------------------------------- */
 
 static struct matrix4 turn_about(int axis, float angle)
 {
@@ -173,7 +173,7 @@ static void random_piercing(void)
     add_to_scene(0);
 }
 
-/* ---- methods ------------------------------------------------------------------------------------------ */
+/* ---- methods --------------------------------------------------------------------------------- */
 
 static struct canvas canvas_of(int number)
 {
@@ -240,7 +240,8 @@ static void check_zero(void)
     property(right, "a buffer that begins with 0 hides what has z <= 0, and only that");
 }
 
-/* Middles of parts of edges: seen ones are about as near as the buffer says, hidden ones farther. */
+/* Middles of parts of edges: seen ones are about as near as the buffer says, hidden ones
+ * farther. */
 static void check_lines(void)
 {
     int judged = 0, wrong = 0;

@@ -1,5 +1,6 @@
-/* Solids as polygon tables (roms/solids): Euler's formula and the guidelines for every model, volumes and
- * areas against closed forms in double precision, normals, planes, and tables with one mistake each. */
+/* Solids as polygon tables (roms/solids): Euler's formula and the guidelines for every model,
+ * volumes and areas against closed forms in double precision, normals, planes, and tables with one
+ * mistake each. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -43,7 +44,7 @@ static int whole(int low, int high)
     return low + (int)uniform(0, high - low + 0.999);
 }
 
-/* ---- measures in double precision ---------------------------------------------------------------- */
+/* ---- measures in double precision ------------------------------------------------------------ */
 
 struct triple {
     double x, y, z;
@@ -103,7 +104,7 @@ static int components(void)
     return count;
 }
 
-/* ---- what must hold for every closed model --------------------------------------------------------- */
+/* ---- what must hold for every closed model --------------------------------------------------- */
 
 static void assert_no_faults(void)
 {
@@ -288,7 +289,7 @@ static void brackets_have_two_tunnels(void **state)
     assert_true(made > 300);
 }
 
-/* ---- tables and checks ----------------------------------------------------------------------------- */
+/* ---- tables and checks ----------------------------------------------------------------------- */
 
 static void each_mistake_breaks_one_rule(void **state)
 {
@@ -403,7 +404,7 @@ static void what_does_not_fit_is_refused(void **state)
     assert_int_equal(object_attribute(o, &a), -1);
 }
 
-/* ---- normals ------------------------------------------------------------------------------------------ */
+/* ---- normals --------------------------------------------------------------------------------- */
 
 static void normals_of_a_sphere_are_radial(void **state)
 {
@@ -486,7 +487,7 @@ static void triangles_are_the_polygons(void **state)
     assert_int_equal(object_triangles(&rig.object, rig.triangle, 10), 10);
 }
 
-/* ---- planes ------------------------------------------------------------------------------------------------ */
+/* ---- planes ---------------------------------------------------------------------------------- */
 
 static void planes_hold_their_points(void **state)
 {

@@ -1,6 +1,6 @@
-/* Visible surfaces (roms/visible): the methods against one another pixel for pixel, the depth buffer
- * against a ray through every pixel's middle in double precision, hidden lines against points close
- * together along every edge, back faces against the solids themselves. */
+/* Visible surfaces (roms/visible): the methods against one another pixel for pixel, the depth
+ * buffer against a ray through every pixel's middle in double precision, hidden lines against
+ * points close together along every edge, back faces against the solids themselves. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -173,7 +173,7 @@ static int differences(int a, int b)
     return count;
 }
 
-/* ---- the methods against one another ------------------------------------------------------------- */
+/* ---- the methods against one another --------------------------------------------------------- */
 
 static void methods_agree_on_solids_apart(void **state)
 {
@@ -209,7 +209,7 @@ static void scan_line_agrees_where_surfaces_pierce(void **state)
     assert_true(different < 190);
 }
 
-/* ---- the depth buffer against rays ------------------------------------------------------------------ */
+/* ---- the depth buffer against rays ----------------------------------------------------------- */
 
 struct ray {
     double nearest, second; /* depths */
@@ -349,7 +349,7 @@ static void a_buffer_that_begins_with_0_hides_the_rear(void **state)
     }
 }
 
-/* ---- painter's failing cases ---------------------------------------------------------------------- */
+/* ---- painter's failing cases ----------------------------------------------------------------- */
 
 static void add_bar(struct vector3 from, struct vector3 to, struct vector3 side)
 {
@@ -410,7 +410,7 @@ static void every_surface_is_painted_once(void **state)
     }
 }
 
-/* ---- hidden lines ------------------------------------------------------------------------------------ */
+/* ---- hidden lines ---------------------------------------------------------------------------- */
 
 /* Is a point of an edge hidden? -1: too close to say. */
 static int point_hidden(const struct scene_edge *e, struct vector3 p)
@@ -504,9 +504,10 @@ static void a_convex_solid_alone_hides_its_rear_only(void **state)
     }
 }
 
-/* ---- back faces ---------------------------------------------------------------------------------------- */
+/* ---- back faces ------------------------------------------------------------------------------ */
 
-/* Visible polygons of a convex solid are those whose middle, moved a little toward the eye, is outside. */
+/* Visible polygons of a convex solid are those whose middle, moved a little toward the eye, is
+ * outside. */
 static void back_faces_are_those_seen_through_the_solid(void **state)
 {
     (void)state;
