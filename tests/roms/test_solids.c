@@ -358,6 +358,22 @@ static void damage_is_seen(void **state)
     }
 }
 
+/* There and back along one edge comes back to its start, but encloses nothing. */
+static void two_sides_are_no_polygon(void **state)
+{
+    (void)state;
+    struct object *o = &rig.object;
+    struct object_fault fault;
+    object_broken(o, OBJECT_RULES);
+    o->side[1] = (struct object_side){o->side[0].edge, o->side[1].start};
+    o->polygon[0].count = 2;
+    object_check_begin(&rig.check, o);
+    while (object_check_next(&rig.check, &fault) && fault.rule != RULE_POLYGON_CLOSED)
+        ;
+    assert_int_equal(fault.rule, RULE_POLYGON_CLOSED);
+    assert_int_equal(fault.index, 0);
+}
+
 static void edges_are_made_once_with_pointers_back(void **state)
 {
     (void)state;
@@ -552,6 +568,7 @@ int main(void)
         cmocka_unit_test(each_mistake_breaks_one_rule),
         cmocka_unit_test(mistakes_are_found_where_they_are),
         cmocka_unit_test(damage_is_seen),
+        cmocka_unit_test(two_sides_are_no_polygon),
         cmocka_unit_test(edges_are_made_once_with_pointers_back),
         cmocka_unit_test(what_does_not_fit_is_refused),
         cmocka_unit_test(normals_of_a_sphere_are_radial),

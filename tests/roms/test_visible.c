@@ -504,6 +504,86 @@ static void a_convex_solid_alone_hides_its_rear_only(void **state)
     }
 }
 
+/* Hidden parts in any order, joined where they meet, against a thousand points of the edge. */
+static void hidden_parts_are_joined(void **state)
+{
+    (void)state;
+    enum { POINTS = 1000 };
+    for (int i = 0; i < 5000; i++) {
+        bool hidden[POINTS] = {false};
+        struct hidden_lines *h = &rig.hidden;
+        int count = 1 + (int)uniform(0, 20);
+        h->parts = 0;
+        for (int k = 0; k < count; k++) {
+            int from = (int)uniform(0, POINTS - 1),
+                to = from + 1 + (int)uniform(0, uniform(0, 300));
+            to = to < POINTS ? to : POINTS;
+            add_hidden(h, (float)from / POINTS, (float)to / POINTS);
+            for (int p = from; p < to; p++)
+                hidden[p] = true;
+        }
+        for (int k = 1; k < h->parts; k++)
+            assert_true(h->hidden[k - 1].to < h->hidden[k].from);
+        for (int p = 0; p < POINTS; p++) {
+            float at = ((float)p + 0.5f) / POINTS;
+            bool in = false;
+            for (int k = 0; k < h->parts; k++)
+                in = in || (at > h->hidden[k].from && at < h->hidden[k].to);
+            assert_int_equal(in, hidden[p]);
+        }
+    }
+}
+
+/* More parts than there is room for: nothing hidden is lost. */
+static void too_many_parts_hide_more(void **state)
+{
+    (void)state;
+    struct hidden_lines *h = &rig.hidden;
+    h->parts = 0;
+    for (int k = 0; k < 2 * HIDDEN_PARTS; k++)
+        add_hidden(h, (float)(2 * k) / 100, (float)(2 * k + 1) / 100);
+    assert_int_equal(h->parts, HIDDEN_PARTS);
+    for (int k = 0; k < 2 * HIDDEN_PARTS; k++) {
+        float at = (2 * (float)k + 0.5f) / 100;
+        bool in = false;
+        for (int i = 0; i < h->parts; i++)
+            in = in || (at > h->hidden[i].from && at < h->hidden[i].to);
+        assert_true(in);
+    }
+}
+
+/* ---- projection ------------------------------------------------------------------------------ */
+
+/* xp = x·d/(d − z); a middle in space lies on the picture's line with the depth that is linear
+ * there; what is nearer on a ray has the larger depth. */
+static void perspective_keeps_lines_and_order(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 20000; i++) {
+        double d = (double)uniform(4, 20);
+        struct view view = {matrix4_identity(), (float)d, 30, 100, 80, -1};
+        struct vector3 a = {uniform(-2, 2), uniform(-2, 2), uniform(-3, 3)};
+        struct vector3 b = {uniform(-2, 2), uniform(-2, 2), uniform(-3, 3)};
+        struct vector3 m = vector3_times(vector3_sum(a, b), 0.5f);
+        struct vector3 pa = view_place(&view, a), pb = view_place(&view, b),
+                       pm = view_place(&view, m);
+        assert_true(fabs((double)pa.x - (100 + 30 * (double)a.x * d / (d - (double)a.z))) < 1e-3);
+        assert_true(fabs((double)pa.y - (80 - 30 * (double)a.y * d / (d - (double)a.z))) < 1e-3);
+        double dx = (double)pb.x - pa.x, dy = (double)pb.y - pa.y;
+        double t =
+            (((double)pm.x - pa.x) * dx + ((double)pm.y - pa.y) * dy) / (dx * dx + dy * dy + 1e-9);
+        if (dx * dx + dy * dy > 25) {
+            assert_true(fabs((double)pa.y + t * dy - pm.y) < 1e-2);
+            assert_true(fabs((double)pa.z + t * ((double)pb.z - pa.z) - pm.z) < 2e-2);
+        }
+        /* Toward the eye at (0, 0, d). */
+        struct vector3 eye = {0, 0, (float)d};
+        struct vector3 nearer = vector3_sum(a, vector3_times(vector3_difference(eye, a), 0.1f));
+        struct vector3 pn = view_place(&view, nearer);
+        assert_true(fabsf(pn.x - pa.x) < 1e-2f && fabsf(pn.y - pa.y) < 1e-2f && pn.z > pa.z);
+    }
+}
+
 /* ---- back faces ------------------------------------------------------------------------------ */
 
 /* Visible polygons of a convex solid are those whose middle, moved a little toward the eye, is
@@ -583,6 +663,9 @@ int main(void)
         cmocka_unit_test(parts_of_edges_are_what_points_say),
         cmocka_unit_test(parts_of_edges_are_whole_edges),
         cmocka_unit_test(a_convex_solid_alone_hides_its_rear_only),
+        cmocka_unit_test(hidden_parts_are_joined),
+        cmocka_unit_test(too_many_parts_hide_more),
+        cmocka_unit_test(perspective_keeps_lines_and_order),
         cmocka_unit_test(back_faces_are_those_seen_through_the_solid),
         cmocka_unit_test(the_sign_of_d_does_not_tell),
         cmocka_unit_test(what_is_at_the_eye_is_refused),
