@@ -275,7 +275,7 @@ static float draw(void *state, struct stage *stage, float seconds)
     stage_title(stage, "A bracket: front, side, plan, isometric");
     stage_caption(stage, "One model, four views: change a dimension and all of them follow. Hidden "
                          "edges are dashed.");
-    return 0.04f;
+    return 0;
 }
 
 extern const struct lesson lesson_gallery_cad;

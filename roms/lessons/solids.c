@@ -13,7 +13,7 @@
 #include "roms/visible/depth_surface.h"
 
 enum { BOX, CYLINDER, SPHERE, TORUS, VESSEL, MODELS, PAGES = MODELS + OBJECT_RULES };
-enum { PAGE_SECONDS = 8, MOST_NAMED = 40, LEFT = 405, MIDDLE = 400, COLUMN = 800, ROW = 37 };
+enum { PAGE_SECONDS = 8, MOST_NAMED = 40, LEFT = 395, MIDDLE = 400, COLUMN = 800, ROW = 37 };
 
 static struct solids {
     int page, made; /* made: the page whose object is in the workroom; -1: none */
@@ -167,7 +167,7 @@ static void tables_of(struct stage *stage, const struct object *o, int polygon)
     c.y -= ROW / 2;
     snprintf(text, sizeof text, "%d POLYGONS", o->polygons);
     row(&c, INK_CYAN, text);
-    polygon_row(&c, o, polygon, INK_YELLOW);
+    polygon_row(&c, o, polygon, INK_BRIGHT);
     c.y -= ROW / 2;
     snprintf(text, sizeof text, "V - E + S = %d", o->vertices - o->edges + o->polygons);
     row(&c, INK_GREEN, text);
@@ -251,7 +251,7 @@ static void draw_model(struct solids *s, struct stage *stage, float seconds)
     struct workroom *room = workroom();
     const struct object *o = &room->object;
     struct matrix4 turn = view_turn(18 * seconds, 24);
-    float scale = 395 / object_reach(o);
+    float scale = 380 / object_reach(o);
     struct view dots = view_on_canvas(stage, &turn, 0, scale, LEFT, MIDDLE);
     struct view units = view_on_stage(&turn, 0, scale, LEFT, MIDDLE);
     scene_clear(&room->lines);
@@ -266,7 +266,7 @@ static void draw_model(struct solids *s, struct stage *stage, float seconds)
     stage_hidden_lines(stage, &room->lines, EDGES_FOLDED);
     stage_heads(stage, STAGE_BOTH);
     int polygon = pointed_out(&room->lines, seconds);
-    stage_ink(stage, INK_YELLOW);
+    stage_ink(stage, INK_BRIGHT);
     outline(stage, &room->lines, o, polygon);
     tables_of(stage, o, polygon);
     stage_caption(stage, "Each polygon points to its edges, each edge to its two vertices and back "
@@ -299,8 +299,9 @@ static void draw_broken(struct solids *s, struct stage *stage, float seconds)
     struct workroom *room = workroom();
     const struct object *o = &room->object;
     struct matrix4 turn = view_turn(25 * sinf(0.7f * seconds) - 25, 20);
-    float scale = 395 / object_reach(o);
-    struct view units = view_on_stage(&turn, 0, scale, 400, 390);
+    float scale = fminf(395 / object_reach(o), 260);
+    float left = s->fault.rule == RULE_POLYGON_SHARED ? 300 : 380;
+    struct view units = view_on_stage(&turn, 0, scale, left, 390);
     scene_clear(&room->lines);
     scene_add(&room->lines, o, &units, 0, 0);
     stage_ink(stage, INK_GREEN);

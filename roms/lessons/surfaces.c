@@ -62,12 +62,14 @@ static void build(struct surfaces *s, struct stage *stage, enum scene_which whic
     scene_shade(&w->scene, &w->object);
 }
 
-static void by_depth(struct stage *stage, float far)
+/* In the part of the canvas about `x`. */
+static void by_depth(struct stage *stage, float far, float x)
 {
     struct depth_buffer depth = lesson_depth(&stage->canvas);
     if (depth.width == 0)
         return;
-    depth_clear(&depth, far);
+    int middle = (int)stage_canvas_x(stage, STAGE_WIDTH / 2);
+    depth_clear_part(&depth, x < STAGE_WIDTH / 2 ? 0 : middle, 0, middle, depth.height, far);
     depth_scene(&stage->canvas, &depth, &workroom()->scene);
 }
 
@@ -137,42 +139,38 @@ static void show_buffer(struct stage *stage, struct range range)
     }
 }
 
-/* The depths of a row as a curve, down to its foot where nothing is. */
+/* What the buffer holds along a row, as a curve; down to its foot where nothing is. */
 static void show_profile(struct stage *stage, struct range range, float height)
 {
-    struct workroom *w = workroom();
-    const float foot = 190, high = 400, left = RIGHT - 290;
-    float x = left, y = foot, k = (high - 40) / (range.near - range.far);
+    enum { APART = 4 }; /* pixels */
+    const float foot = 190, high = 400, k = (high - 40) / (range.near - range.far);
+    struct depth_buffer depth = lesson_depth(&stage->canvas);
     int row = (int)stage_canvas_y(stage, height);
-    struct scan_run run;
-    scan_line_begin(&w->scan_line, &w->scene, stage->canvas.width, stage->canvas.height);
-    while (scan_line_next(&w->scan_line) && w->scan_line.y < row)
-        ;
-    while (w->scan_line.y == row && scan_line_run(&w->scan_line, &run)) {
-        const struct surface *f = &w->scene.surface[run.surface == SURFACE_NONE ? 0 : run.surface];
-        float dz = surface_depth(f, (float)run.x1, (float)row) -
-                   surface_depth(f, (float)run.x0, (float)row);
-        float x0 = ((float)run.x0 - stage->left) / stage->dots + RIGHT - LEFT;
-        float x1 = ((float)run.x1 - stage->left) / stage->dots + RIGHT - LEFT;
-        bool none = run.surface == SURFACE_NONE;
-        float y0 = none ? foot : foot + 40 + (run.depth - range.far) * k;
-        x0 = fmaxf(x0, left);
-        x1 = fminf(x1, RIGHT + 290);
-        if (x1 <= x0)
+    struct point2 before = {RIGHT - 290, foot};
+    bool level = true;
+    for (int x = (int)stage_canvas_x(stage, LEFT - 290); x < (int)stage_canvas_x(stage, LEFT + 290);
+         x += APART) {
+        float z = depth.depth[row * depth.width + (x > 0 ? x : 0)];
+        struct point2 at = {((float)x - stage->left) / stage->dots + RIGHT - LEFT,
+                            z < range.far ? foot : foot + 40 + (z - range.far) * k};
+        /* One line for all of the foot. */
+        if (level && at.y == foot)
             continue;
-        stage_line(stage, x, y, x0, y0);
-        x = x1;
-        y = none ? foot : y0 + dz * k;
-        stage_line(stage, x0, y0, x, y);
+        if (level)
+            stage_line(stage, before.x, foot, at.x, foot);
+        stage_line(stage, level ? at.x : before.x, before.y, at.x, at.y);
+        level = at.y == foot;
+        before = at;
     }
+    stage_line(stage, before.x, before.y, RIGHT + 290, level ? foot : before.y);
 }
 
 static void draw_depth(struct surfaces *s, struct stage *stage, float seconds)
 {
     build(s, stage, SCENE_SOLIDS, 20 * seconds, 20, HALF, LEFT, SCENE_CULLED);
     struct range range = depths(&workroom()->scene);
-    float height = MIDDLE - 20 + 200 * sinf(0.8f * seconds);
-    by_depth(stage, -1e9f);
+    float height = MIDDLE + 10 + 150 * sinf(0.8f * seconds);
+    by_depth(stage, -1e9f, LEFT);
     if (stage->canvas.width > 0) {
         show_buffer(stage, range);
         stage_heads(stage, STAGE_VECTOR);
@@ -305,7 +303,7 @@ static void draw_circle(struct surfaces *s, struct stage *stage, float seconds)
     build(s, stage, which, yaw, which == SCENE_PIERCE ? 20 : 0, 280, LEFT, 0);
     paint_part(stage, 1);
     build(s, stage, which, yaw, which == SCENE_PIERCE ? 20 : 0, 280, RIGHT, 0);
-    by_depth(stage, -1e9f);
+    by_depth(stage, -1e9f, RIGHT);
     vector_lines(stage);
     heading(stage, LEFT, INK_RED, "painter's: wrong");
     heading(stage, RIGHT, INK_GREEN, "depth buffer: right");
@@ -317,35 +315,54 @@ static void draw_circle(struct surfaces *s, struct stage *stage, float seconds)
 
 /* ---- a buffer that begins with 0 ------------------------------------------------------------- */
 
-/* What has z > 0. */
+/* What of a part has z > 0; false: nothing. */
+static bool cut_at_0(struct hidden_part *p)
+{
+    struct vector3 *low = p->a.z < p->b.z ? &p->a : &p->b, high = p->a.z < p->b.z ? p->b : p->a;
+    if (high.z <= 0)
+        return false;
+    if (low->z < 0) {
+        float t = high.z / (high.z - low->z);
+        *low = vector3_sum(high, vector3_times(vector3_difference(*low, high), t));
+    }
+    return true;
+}
+
+/* On the left what is seen, on the right what of it has z > 0. */
 static void near_lines(struct stage *stage)
 {
     struct hidden_lines *h = &workroom()->hidden;
     struct hidden_part p;
+    const float apart = RIGHT - LEFT;
     stage_heads(stage, STAGE_VECTOR);
     stage_ink(stage, INK_GREEN);
     hidden_begin(h, &workroom()->lines, EDGES_FOLDED);
     while (hidden_next(h, &p)) {
-        if (!p.seen || (p.a.z <= 0 && p.b.z <= 0))
+        if (!p.seen)
             continue;
-        struct vector3 *low = p.a.z < p.b.z ? &p.a : &p.b, high = p.a.z < p.b.z ? p.b : p.a;
-        if (low->z < 0) {
-            float t = high.z / (high.z - low->z);
-            *low = vector3_sum(high, vector3_times(vector3_difference(*low, high), t));
-        }
         stage_line(stage, p.a.x, p.a.y, p.b.x, p.b.y);
+        if (cut_at_0(&p))
+            stage_line(stage, p.a.x + apart, p.a.y, p.b.x + apart, p.b.y);
     }
     stage_heads(stage, STAGE_BOTH);
+}
+
+/* Moves the scene to the right. */
+static void shift(struct scene *scene, float by)
+{
+    for (int i = 0; i < scene->vertices; i++)
+        scene->vertex[i].x += by;
+    for (int i = 0; i < scene->surfaces; i++)
+        scene->surface[i].plane.d -= scene->surface[i].plane.a * by;
 }
 
 static void draw_from_0(struct surfaces *s, struct stage *stage, float seconds)
 {
     build(s, stage, SCENE_SOLIDS, 20 * seconds, 20, HALF, LEFT, SCENE_CULLED);
-    by_depth(stage, -1e9f);
-    vector_lines(stage);
-    build(s, stage, SCENE_SOLIDS, 20 * seconds, 20, HALF, RIGHT, SCENE_CULLED);
-    by_depth(stage, 0);
     near_lines(stage);
+    by_depth(stage, -1e9f, LEFT);
+    shift(&workroom()->scene, (RIGHT - LEFT) * stage->dots);
+    by_depth(stage, 0, RIGHT);
     heading(stage, LEFT, INK_GREEN, "cleared to the far plane");
     heading(stage, RIGHT, INK_RED, "cleared to 0");
     stage_caption(stage,
