@@ -5,7 +5,7 @@
 
 #include "roms/lessons/depth.h"
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/workroom.h"
 #include "roms/solids/bracket.h"
 #include "roms/visible/depth_surface.h"
 

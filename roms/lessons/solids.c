@@ -5,7 +5,7 @@
 
 #include "roms/lessons/depth.h"
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/workroom.h"
 #include "roms/solids/broken.h"
 #include "roms/solids/models.h"
 #include "roms/solids/normals.h"

@@ -1,4 +1,4 @@
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/workroom.h"
 
 #include <stddef.h>
 

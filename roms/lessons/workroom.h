@@ -1,4 +1,4 @@
-/* scenes.h — the present object, named scenes, and rooms to work in: for lessons and commands.
+/* workroom.h — the present object, named scenes, and rooms to work in: for lessons and commands.
  *
  *      object   what `object` made last        two      two polygons that overlap, as in the text
  *      solids   box, ball, ring, column        cycle    three bars, each over the next
@@ -9,8 +9,8 @@
  * Ownership:  static storage, one of each, for whoever runs.
  * Errors:     none.
  */
-#ifndef ROMS_LESSONS_SCENES_H
-#define ROMS_LESSONS_SCENES_H
+#ifndef ROMS_LESSONS_WORKROOM_H
+#define ROMS_LESSONS_WORKROOM_H
 
 #include "roms/stage/stage.h"
 #include "roms/visible/hidden_lines.h"
