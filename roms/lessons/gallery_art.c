@@ -48,4 +48,4 @@ static struct scenes lesson_state;
 
 extern const struct lesson lesson_gallery_art;
 const struct lesson lesson_gallery_art = {
-    "gallery_art", "Gallery: art", SCENES_KEYS, &lesson_state, begin, key, draw};
+    "art", "Gallery: art", SCENES_KEYS, &lesson_state, begin, key, draw};

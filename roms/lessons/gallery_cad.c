@@ -280,7 +280,7 @@ static float draw(void *state, struct stage *stage, float seconds)
 
 extern const struct lesson lesson_gallery_cad;
 const struct lesson lesson_gallery_cad = {"cad",
-                                          "Computer-aided design: a bracket",
+                                          "Gallery: computer-aided design",
                                           "n p dimension  + - change  h hidden edges",
                                           &cad,
                                           begin,

@@ -158,11 +158,11 @@ static float draw(void *ctx, struct stage *stage, float seconds)
 
 static struct state state;
 
-extern const struct lesson lesson_flight;
-const struct lesson lesson_flight = {"flight",
-                                     "Gallery: flight",
-                                     "arrows stick  + - power  b brakes  space autopilot",
-                                     &state,
-                                     begin,
-                                     key,
-                                     draw};
+extern const struct lesson lesson_gallery_flight;
+const struct lesson lesson_gallery_flight = {"flight",
+                                             "Gallery: flight simulator",
+                                             "arrows stick  + - power  b brakes  space autopilot",
+                                             &state,
+                                             begin,
+                                             key,
+                                             draw};

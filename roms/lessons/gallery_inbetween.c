@@ -279,11 +279,12 @@ static float draw(void *state, struct stage *s, float seconds)
     return 0.02f;
 }
 
-extern const struct lesson lesson_inbetween;
-const struct lesson lesson_inbetween = {.name = "inbetween",
-                                        .title = "Gallery: key frames and in-betweens",
-                                        .keys = "l path  e ease  p play  a d frame  + - skins",
-                                        .state = &lesson,
-                                        .begin = begin,
-                                        .key = key,
-                                        .draw = draw};
+extern const struct lesson lesson_gallery_inbetween;
+const struct lesson lesson_gallery_inbetween = {.name = "inbetween",
+                                                .title = "Gallery: key frames and in-betweens",
+                                                .keys =
+                                                    "l path  e ease  p play  a d frame  + - skins",
+                                                .state = &lesson,
+                                                .begin = begin,
+                                                .key = key,
+                                                .draw = draw};

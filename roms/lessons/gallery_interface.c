@@ -275,7 +275,7 @@ static float draw(void *state, struct stage *s, float seconds)
     if (d->alone)
         wander(d, passed);
     desk_draw(d, s);
-    stage_title(s, "Gallery: user interface");
+    stage_title(s, "User interface");
     stage_caption(
         s, "Windows overlap, the pointer picks what is in front: title bar (drag), close box, "
            "icon, menu.");
@@ -286,7 +286,7 @@ static struct desk lesson_state;
 
 extern const struct lesson lesson_gallery_interface;
 const struct lesson lesson_gallery_interface = {
-    "gallery_interface",
+    "interface",
     "Gallery: user interface",
     "arrows point   space click, drop   n next   t tile",
     &lesson_state,

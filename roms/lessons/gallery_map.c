@@ -346,10 +346,5 @@ static float draw(void *state, struct stage *s, float seconds)
 }
 
 extern const struct lesson lesson_gallery_map;
-const struct lesson lesson_gallery_map = {"map",
-                                          "Gallery: a map, zoomed, panned, turned",
-                                          "+ - zoom  arrows pan  l r turn  0 all  t tour",
-                                          &map,
-                                          begin,
-                                          key,
-                                          draw};
+const struct lesson lesson_gallery_map = {
+    "map", "Gallery: map", "+ - zoom  arrows pan  l r turn  0 all  t tour", &map, begin, key, draw};

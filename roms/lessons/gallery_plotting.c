@@ -130,7 +130,7 @@ void plot_lines(struct stage *s, float seconds)
     legend(s, 720, INK_ORANGE, "lynxes");
     plot_polyline(s, hares, shown, 4, INK_CYAN);
     plot_polyline(s, lynxes, shown, 4, INK_ORANGE);
-    stage_title(s, "Gallery: plotting - a line chart");
+    stage_title(s, "A line chart");
     stage_caption(s, "Lotka's and Volterra's equations, integrated here after Runge and Kutta: the "
                      "hunters follow the hunted.");
 }
@@ -182,7 +182,7 @@ void plot_bars(struct stage *s, float seconds)
     snprintf(text, sizeof text, "%d throws", throws);
     stage_ink(s, INK_BRIGHT);
     stage_text(s, 880, TOP + 30, text);
-    stage_title(s, "Gallery: plotting - a bar chart");
+    stage_title(s, "A bar chart");
     stage_caption(
         s, "Dice are thrown here; the more of them, the nearer their sums come to the normal "
            "distribution.");
@@ -253,7 +253,7 @@ void plot_pie(struct stage *s, float seconds)
     snprintf(text, sizeof text, "numbers from 2 to %d", most);
     stage_ink(s, INK_BRIGHT);
     stage_text(s, 790, 700, text);
-    stage_title(s, "Gallery: plotting - a pie chart");
+    stage_title(s, "A pie chart");
     stage_caption(s, "Numbers by how many prime factors they have: primes become rare.");
 }
 
@@ -284,4 +284,4 @@ static struct scenes lesson_state;
 
 extern const struct lesson lesson_gallery_plotting;
 const struct lesson lesson_gallery_plotting = {
-    "gallery_plotting", "Gallery: plotting", SCENES_KEYS, &lesson_state, begin, key, draw};
+    "plotting", "Gallery: plotting", SCENES_KEYS, &lesson_state, begin, key, draw};

@@ -86,7 +86,7 @@ static float draw(void *state, struct stage *s, float seconds)
         travel(p, seconds - p->begun);
     struct page_view view = page_look(s, p->middle, p->zoom);
     page_draw(&view, seconds);
-    stage_title(s, "Gallery: electronic publishing");
+    stage_title(s, "Electronic publishing");
     stage_caption(
         s, "What will be printed is what is seen: lines are broken and justified here, letters "
            "are as dark as they cover a pixel.");
@@ -96,7 +96,7 @@ static float draw(void *state, struct stage *s, float seconds)
 static struct publishing lesson_state;
 
 extern const struct lesson lesson_gallery_publishing;
-const struct lesson lesson_gallery_publishing = {"gallery_publishing",
+const struct lesson lesson_gallery_publishing = {"publishing",
                                                  "Gallery: electronic publishing",
                                                  "+ - zoom   arrows move   space tour",
                                                  &lesson_state,
