@@ -13,6 +13,7 @@
 #include "emu/expose.h"
 #include "emu/moment.h"
 #include "emu/picture.h"
+#include "emu/roms.h"
 #include "emu/saved.h"
 
 struct vm_capture_options {
@@ -24,6 +25,7 @@ struct vm_capture_options {
     bool film, glass, buffer, hash, allow_dark;
     struct vm_moment_options moment;
     struct vm_saved_options saved;
+    struct vm_roms_options roms;
     struct vm_settings_options settings;
     struct vm_light_options light;
     struct vm_input_options input;

@@ -237,22 +237,28 @@ static int run(int argc, char **argv)
                                              VM_OPTION_TABLE(vm_light_rows, &c.o.light),
                                              VM_OPTION_TABLE(vm_settings_rows, &c.o.settings),
                                              VM_OPTION_TABLE(vm_input_rows, &c.o.input),
-                                             VM_OPTION_TABLE(vm_saved_rows, &c.o.saved)};
+                                             VM_OPTION_TABLE(vm_saved_rows, &c.o.saved),
+                                             VM_OPTION_TABLE(vm_roms_rows, &c.o.roms)};
     struct vm_args args;
     struct crt_error err;
     char *report;
     int status = vm_command_parse(&vm_command_capture, tables, sizeof tables / sizeof *tables, argc,
-                                  argv, &args, 1, 1);
+                                  argv, &args, 0, 1);
     if (status >= 0)
         return status;
+    char monitor[4096 + 16];
+    const char *path =
+        vm_roms_program(&c.o.roms, args.count ? args.item[0] : NULL, monitor, sizeof monitor, &err);
+    if (!path)
+        return fail(VM_EXIT_TROUBLE, &err);
     if (!vm_input_check(&c.o.input, &err) || !check_options(&c, &err) ||
-        !vm_out_spares(c.o.out, args.item[0], &err) || !vm_out_spares(c.o.y4m, args.item[0], &err))
+        !vm_out_spares(c.o.out, path, &err) || !vm_out_spares(c.o.y4m, path, &err))
         return fail(VM_EXIT_USAGE, &err);
-    status = vm_saved_check(&c.o.saved, args.item[0], c.o.input.firmware,
-                            c.o.out ? c.o.out : c.o.y4m, &err);
+    status =
+        vm_saved_check(&c.o.saved, path, c.o.input.firmware, c.o.out ? c.o.out : c.o.y4m, &err);
     if (status)
         return fail(status, &err);
-    if (!vm_input_load(&c.input, args.item[0], &c.o.input, &err, &report)) {
+    if (!vm_input_load(&c.input, path, &c.o.input, &err, &report)) {
         if (report)
             fputs(report, stderr);
         free(report);
@@ -265,13 +271,14 @@ static int run(int argc, char **argv)
 
 const struct vm_command vm_command_capture = {
     "capture",
-    "FILE -o OUT.png",
-    "Render pictures without a display",
+    "[FILE] -o OUT.png",
+    "Render pictures without a display; without FILE of the monitor",
     "A program in trouble (an illegal word, a bus time-out, a beam never lit) or a black picture "
     "is "
     "reported in one sentence with exit status 1, and nothing is written unless --allow-dark is "
     "given.",
     "  kinescope capture roms/lander.df -o lander.png\n"
+    "  kinescope capture --type 'circle 0 0 8' -o circle.png\n"
     "  kinescope capture roms/lander.df --film --depth 16 --hash\n"
     "  kinescope capture roms/radar.df --at 2.5s -o sweep.png\n"
     "  kinescope capture roms/spin.df --from 0s --to 2s --fps 60 --y4m spin.y4m\n"

@@ -4,20 +4,21 @@
 
 #include "emu/command.h"
 #include "emu/headless.h"
+#include "emu/roms.h"
 #include "emu/show.h"
 #include "emu/view.h"
 
 struct options {
-    bool headless, console, full_screen, gdb_anywhere;
+    bool headless, console, full_screen, gdb_anywhere, tour;
     const char *gdb;
     struct vm_time length;
     struct vm_size size;
     double scale;
-    const char *roms;
     struct vm_saved_options saved;
     struct vm_settings_options settings;
     struct vm_light_options light;
     struct vm_input_options input;
+    struct vm_roms_options roms;
 };
 
 #define ROW(field) offsetof(struct options, field)
@@ -46,8 +47,7 @@ static const struct vm_option rows[] = {
     {"size", 0, VM_OPT_SIZE, ROW(size), "WxH", "size of the window; default fits the monitor", 0,
      0},
     {"full-screen", 0, VM_OPT_FLAG, ROW(full_screen), "", "begin on the full screen", 0, 0},
-    {"roms", 0, VM_OPT_STRING, ROW(roms), "DIR", "folder with the tour, when no FILE is given", 0,
-     0},
+    {"tour", 0, VM_OPT_FLAG, ROW(tour), "", "a tour through the programs that come along", 0, 0},
 };
 
 static int fail(int status, const struct crt_error *err)
@@ -131,6 +131,7 @@ static bool window_has_use(const struct options *o, const char *path, struct crt
     return ok;
 }
 
+/* `path` NULL: the tour. */
 static int run_window(const struct options *o, const char *path)
 {
     struct vm_settings settings;
@@ -146,7 +147,7 @@ static int run_window(const struct options *o, const char *path)
     if (status)
         return fail(status, &err);
     struct vm_show_desc desc = {.path = path,
-                                .roms = o->roms,
+                                .roms = o->roms.folder,
                                 .settings = &o->settings,
                                 .input = &o->input,
                                 .light = &o->light,
@@ -166,42 +167,53 @@ static int run_window(const struct options *o, const char *path)
 static int run(int argc, char **argv)
 {
     struct options o = {.scale = 1, .light = {.room = -1}};
-    const struct vm_option_table tables[] = {
-        VM_OPTION_TABLE(rows, &o), VM_OPTION_TABLE(vm_light_rows, &o.light),
-        VM_OPTION_TABLE(vm_settings_rows, &o.settings), VM_OPTION_TABLE(vm_input_rows, &o.input),
-        VM_OPTION_TABLE(vm_saved_rows, &o.saved)};
+    const struct vm_option_table tables[] = {VM_OPTION_TABLE(rows, &o),
+                                             VM_OPTION_TABLE(vm_light_rows, &o.light),
+                                             VM_OPTION_TABLE(vm_settings_rows, &o.settings),
+                                             VM_OPTION_TABLE(vm_input_rows, &o.input),
+                                             VM_OPTION_TABLE(vm_saved_rows, &o.saved),
+                                             VM_OPTION_TABLE(vm_roms_rows, &o.roms)};
     struct vm_args args;
     struct crt_error err;
     int status = vm_command_parse(&vm_command_run, tables, sizeof tables / sizeof *tables, argc,
                                   argv, &args, 0, 1);
     if (status >= 0)
         return status;
-    const char *path = args.count ? args.item[0] : NULL;
     if (o.length.given && o.length.value == 0) {
         crt_fail(&err, "--for: nothing happens in no time; give a time above zero");
         return fail(VM_EXIT_USAGE, &err);
     }
+    if (o.tour && (args.count || o.headless)) {
+        crt_fail(&err, "--tour goes through programs in a window; leave out %s",
+                 args.count ? "FILE" : "--headless");
+        return fail(VM_EXIT_USAGE, &err);
+    }
     if (!vm_input_check(&o.input, &err))
         return fail(VM_EXIT_USAGE, &err);
+    char monitor[4096 + 16];
+    const char *path = NULL;
+    if (!o.tour) {
+        path = vm_roms_program(&o.roms, args.count ? args.item[0] : NULL, monitor, sizeof monitor,
+                               &err);
+        if (!path)
+            return fail(VM_EXIT_TROUBLE, &err);
+    }
     status = vm_saved_check(&o.saved, path, o.input.firmware, NULL, &err);
     if (status)
         return fail(status, &err);
-    if (!o.headless)
-        return run_window(&o, path);
-    if (path)
-        return run_headless(&o, path);
-    crt_fail(&err, "--headless needs a FILE; the tour is for a window");
-    return fail(VM_EXIT_USAGE, &err);
+    return o.headless ? run_headless(&o, path) : run_window(&o, path);
 }
 
 const struct vm_command vm_command_run = {
     "run",
     "[FILE]",
-    "Show a program in a window; without FILE a tour",
+    "Show a program in a window; without FILE the monitor",
     "F1 in the window shows the keys. Every key except F1 to F12 and those held with Right Ctrl "
     "belongs "
     "to the program. A file that changes is loaded again; a file dropped on the window is shown.",
     "  kinescope run\n"
+    "  kinescope run --tour\n"
+    "  kinescope run --headless --console < script\n"
     "  kinescope run roms/lander.df --tube VR14 --time-scale 0.001\n"
     "  kinescope run roms/spin.df --headless --for 60s\n"
     "  kinescope run roms/pattern.elf --tube MONO12/P134\n"

@@ -20,7 +20,8 @@ const struct vm_option vm_input_rows[VM_INPUT_ROWS] = {
     {"firmware", 0, VM_OPT_STRING, offsetof(struct vm_input_options, firmware), "FILE.elf",
      "firmware that runs the display file, instead of what .firmware in its source names", 0, 0},
     {"type", 0, VM_OPT_STRING, offsetof(struct vm_input_options, type), "TEXT",
-     "type this on the firmware's console, then end of input (0x04); \\n \\r \\t \\e \\\\ \\xHH "
+     "type this on the firmware's console, then end of input (0x04; a window's keys go on); \\n "
+     "\\r \\t \\e \\\\ \\xHH "
      "are "
      "understood",
      0, 0},
@@ -149,6 +150,26 @@ static bool load_bytes(struct vm_input *in, const char *path, const char *kind,
 /* ---- firmware -----------------------------------------------------------------------------------
  */
 
+/* Copies the text at a symbol; "" when there is none, or it is too long to be a tube's name. */
+static void take_tube(struct vm_input *in)
+{
+    uint32_t address;
+    in->tube[0] = '\0';
+    if (!vm_elf_find(&in->elf, "kinescope_tube", &address))
+        return;
+    for (int i = 0; i < in->elf.segments; i++) {
+        const struct vm_elf_segment *s = &in->elf.segment[i];
+        uint32_t offset = address - s->address;
+        if (offset >= s->file_size)
+            continue;
+        size_t room = s->file_size - offset;
+        room = room < sizeof in->tube ? room : sizeof in->tube;
+        if (memchr(s->bytes + offset, '\0', room))
+            memcpy(in->tube, s->bytes + offset, room);
+        return;
+    }
+}
+
 static bool load_firmware(struct vm_input *in, const char *path, struct crt_error *err)
 {
     size_t length = 0;
@@ -158,6 +179,8 @@ static bool load_firmware(struct vm_input *in, const char *path, struct crt_erro
         return false;
     vm_base_name(path, name, sizeof name);
     in->has_firmware = vm_elf_parse(&in->elf, name, (const uint8_t *)in->image, length, err);
+    if (in->has_firmware)
+        take_tube(in);
     return in->has_firmware;
 }
 
@@ -335,7 +358,9 @@ void vm_input_free(struct vm_input *in)
 
 const char *vm_input_tube(const struct vm_input *input)
 {
-    return input->program.words && input->program.tube[0] ? input->program.tube : NULL;
+    if (input->program.words && input->program.tube[0])
+        return input->program.tube;
+    return input->tube[0] ? input->tube : NULL;
 }
 
 bool vm_input_insert(const struct vm_input *in, struct vm_machine *m, struct crt_error *err)

@@ -38,6 +38,7 @@ struct vm_input {
     char *image;
     char *typed; /* malloced, typed_length bytes; NULL: nothing */
     size_t typed_length;
+    char tube[48]; /* that firmware names; "": none */
     struct crt_beam_header header;
     struct crt_stroke *strokes;
     size_t count;
@@ -50,7 +51,8 @@ bool vm_input_load(struct vm_input *input, const char *path, const struct vm_inp
                    struct crt_error *err, char **report);
 void vm_input_free(struct vm_input *input);
 
-/* The tube the program was made for, as it says it; NULL when it does not. */
+/* The tube the program was made for, as it says it: .tube in a source, or in firmware the text at the
+ * symbol kinescope_tube (const char kinescope_tube[] = "VR17/P31"); NULL when it does not. */
 const char *vm_input_tube(const struct vm_input *input);
 
 /* Loads it into a machine: words and entry, firmware, or the recording. The machine of an input with

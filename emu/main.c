@@ -42,7 +42,9 @@ static int help(void)
                commands[i]->summary);
     printf(
         "\nkinescope SUBCOMMAND --help lists the options of each, with examples. To begin:\n\n"
-        "  kinescope run                                a tour, in a window\n"
+        "  kinescope run                                the monitor: lessons and a console, in a "
+        "window\n"
+        "  kinescope run --tour                         a tour of the programs that come along\n"
         "  kinescope capture roms/rose.df -o rose.png   a picture, without a display\n\n"
         "Exit status: 0 done, 1 trouble with a file, the host or the program, 2 wrong usage, 3 too "
         "late\n(compare: 0 same, 1 differ, 2 trouble; run of firmware: what it ended with).\n");

@@ -2,16 +2,23 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
-#define TOUR "tour.txt"
+#define TOUR    "tour.txt"
+#define MONITOR "monitor.elf"
 
-static bool has_tour(const char *folder)
+const struct vm_option vm_roms_rows[VM_ROMS_ROWS] = {
+    {"roms", 0, VM_OPT_STRING, offsetof(struct vm_roms_options, folder), "DIR",
+     "folder of the monitor, which runs when no FILE is given, and of the tour", 0, 0},
+};
+
+static bool has(const char *folder, const char *file)
 {
     char path[4096 + 16];
-    snprintf(path, sizeof path, "%s/" TOUR, folder);
+    snprintf(path, sizeof path, "%s/%s", folder, file);
     return access(path, R_OK) == 0;
 }
 
@@ -37,18 +44,19 @@ static void join(const char *folder, const char *place, char *path, size_t size)
     snprintf(path, size, "%.*s/%s", (int)n, folder, place);
 }
 
-static bool look_for(char *found, size_t size)
+/* The folder that has this file. */
+static bool look_for(const char *file, char *found, size_t size)
 {
     static const char *const places[] = {"roms", "../../roms", "../share/kinescope/roms"};
     char folder[2048];
     command_folder(folder, sizeof folder);
     for (size_t i = 0; *folder && i < sizeof places / sizeof *places; i++) {
         join(folder, places[i], found, size);
-        if (has_tour(found))
+        if (has(found, file))
             return true;
     }
     snprintf(found, size, "roms");
-    return has_tour(found);
+    return has(found, file);
 }
 
 /* Copies the next word of `*line` and steps over it. */
@@ -94,7 +102,7 @@ bool vm_roms_find(struct vm_roms *roms, const char *folder, struct crt_error *er
     memset(roms, 0, sizeof *roms);
     if (folder)
         snprintf(roms->folder, sizeof roms->folder, "%s", folder);
-    else if (!look_for(roms->folder, sizeof roms->folder))
+    else if (!look_for(TOUR, roms->folder, sizeof roms->folder))
         return crt_fail(err, "the folder roms/ with " TOUR
                              " is not found; give --roms DIR, or the name of "
                              "a program");
@@ -114,4 +122,27 @@ bool vm_roms_path(const struct vm_roms *roms, int i, char *path, unsigned long s
 {
     int n = snprintf(path, size, "%s/%s", roms->folder, roms->rom[i].file);
     return n > 0 && (unsigned long)n < size;
+}
+
+static bool find_monitor(const char *folder, char *path, unsigned long size, struct crt_error *err)
+{
+    char found[4096];
+    if (folder)
+        snprintf(found, sizeof found, "%s", folder);
+    else if (!look_for(MONITOR, found, sizeof found))
+        return crt_fail(err,
+                        "the folder roms/ with " MONITOR " is not found; give --roms DIR, or the "
+                        "name of a program");
+    int n = snprintf(path, size, "%s/" MONITOR, found);
+    if (n < 0 || (unsigned long)n >= size || access(path, R_OK) != 0)
+        return crt_fail(err, "%.300s/" MONITOR " cannot be opened: %s", found, strerror(errno));
+    return true;
+}
+
+const char *vm_roms_program(const struct vm_roms_options *options, const char *named, char *path,
+                            unsigned long size, struct crt_error *err)
+{
+    if (named)
+        return named;
+    return find_monitor(options->folder, path, size, err) ? path : NULL;
 }

@@ -2,6 +2,7 @@
  *
  *      host clock ─▶ pace ─▶ machine ─▶ tubes ─▶ films of this frame ─▶ glass ─▶ window
  *      events ─▶ keys (show_keys.c) ─▶ pause, scale, knobs, program ─┘      hud ┘
+ *         └────▶ the guest's keys (show_typing.c) ─▶ console
  *
  * Time:       each host frame the machine runs to T + min(elapsed, 50 ms) × scale and the film
  *             gathers exactly that time. An elapsed time within a third of a frame interval of a
@@ -116,6 +117,8 @@ bool vm_show_picture(struct vm_show *show, struct crt_image *image, struct crt_e
 void vm_show_next_view(struct vm_show *show);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
+/* show_typing.c: a key of the guest's, or the character it made, goes to the firmware's console. */
+void vm_show_type(struct vm_show *show, const struct vm_event *event);
 void vm_show_status(struct vm_show *show, double now);
 
 /* show_step.c: steps of show->unit, back (−1) and forward (1); the machine stands there, paused, and the

@@ -266,6 +266,10 @@ void vm_show_event(struct vm_show *show, const struct vm_event *event)
         else if (event->u.key.chord)
             chord(show, event->u.key.key);
         break;
+    case VM_EVENT_GUEST_KEY:
+    case VM_EVENT_TEXT:
+        vm_show_type(show, event);
+        break;
     default:
         break;
     }

@@ -28,6 +28,7 @@ ROM_PRINTF := -DPICOLIBC_INTEGER_PRINTF_SCANF
 ROM_PRINTF_tables := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 ROM_PRINTF_monitor := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 ROM_PRINTF_check_light := -DPICOLIBC_DOUBLE_PRINTF_SCANF
+ROM_PRINTF_check_curves := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 
 ROM_LIBRARY  := bsp raster geometry clip curves solids visible light stage
 # A program whose sources lie in more folders than its own.
@@ -65,9 +66,8 @@ $(ROM_O)/link.ld: roms/bsp/link.ld emu/memmap.h roms/roms.mk
 	@mkdir -p $(@D)
 	$(ROM_CROSS)gcc -E -P -x c -I. -o $@ $<
 
-# Pixels are worth the room that fast code takes.
-$(foreach d,raster pageflip visible light,$(ROM_O)/$(d)/%.o): ROM_CFLAGS += -O2
-$(ROM_O)/lessons/studio.o: ROM_CFLAGS += -O2
+# Pixels and places are worth the room that fast code takes.
+$(foreach d,raster pageflip visible light clip geometry curves solids stage lessons,$(ROM_O)/$(d)/%.o): ROM_CFLAGS += -O2
 
 # Archive members without time or owner (D).
 $(ROM_O)/libbsp.a: $(ROM_BSP:roms/%.c=$(ROM_O)/%.o)

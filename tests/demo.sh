@@ -2,7 +2,7 @@
 # demo.sh KINESCOPE — the tour in a window when there is a display; otherwise its pictures as PNGs.
 set -eu
 kinescope=$1
-if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] && "$kinescope" run; then
+if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ] && "$kinescope" run --tour; then
     exit 0
 fi
 out=o/demo

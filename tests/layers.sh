@@ -4,6 +4,7 @@
 #   roms -> only *_regs.h and memmap.h;   emu -> display_file, raster, input -> crt;   tests -> anything
 #   within emu: emu/cpu knows no other folder but crt, emu/board only emu/cpu, emu/debug both and the
 #   machine; the files of the machine (see below) know neither emu/debug nor the front ends
+#   within roms: commands -> lessons -> stage -> light -> visible -> solids -> curves, raster, clip -> geometry
 #
 # and only the GLFW, OSMesa and EGL files touch a window system.
 set -eu
@@ -29,6 +30,20 @@ bad=$(
         grep -vE "\"emu/($machine\\.h|board/|cpu/)" || true
     grep -rnE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' roms --include='*.[chS]' 2>/dev/null |
         grep -vE '"(roms/|[a-z_/]*_regs\.h|emu/memmap\.h)' || true
+    # The drawing library: what computes knows nothing of boards, what draws nothing of the monitor.
+    lib() { # FOLDER 'regex of folders it may include from'
+        grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"' roms/"$1"/*.[ch] 2>/dev/null |
+            grep -vE "\"roms/($1|$2)/" || true
+    }
+    lib geometry geometry
+    lib clip geometry
+    lib curves 'geometry|clip'
+    lib raster 'geometry|clip'
+    lib solids 'geometry|curves'
+    lib visible 'geometry|clip|raster|solids'
+    lib light 'geometry|clip|raster|solids|visible'
+    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/(monitor|commands|lessons)/' roms/stage/*.[ch] || true
+    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/(monitor|commands)/' roms/lessons/*.[ch] || true
     # What the tools of emu/debug look into does not know of them: only front ends do.
     grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"emu/debug/' emu/machine*.[ch] emu/rig.[ch] \
         emu/settings.[ch] emu/input_file.[ch] emu/console.[ch] emu/refresh.[ch] emu/flow.[ch] emu/trouble.[ch] \

@@ -1,5 +1,17 @@
 #include "roms/clip/liang_barsky.h"
 
+void liang_barsky_begin(struct liang_barsky *k, const struct clip_window *w, struct point2 a,
+                        struct point2 b)
+{
+    float dx = b.x - a.x, dy = b.y - a.y;
+    *k =
+        (struct liang_barsky){.p = {-dx, dx, -dy, dy},
+                              .q = {a.x - w->x_min, w->x_max - a.x, a.y - w->y_min, w->y_max - a.y},
+                              .t1 = 0,
+                              .t2 = 1,
+                              .left = true};
+}
+
 /* Narrows t1…t2 by one edge; false: nothing is left. */
 static bool narrow(float p, float q, float *t1, float *t2)
 {
@@ -13,20 +25,24 @@ static bool narrow(float p, float q, float *t1, float *t2)
     return *t1 <= *t2;
 }
 
+bool liang_barsky_next(struct liang_barsky *k)
+{
+    if (k->edges == 4 || !k->left)
+        return false;
+    k->left = narrow(k->p[k->edges], k->q[k->edges], &k->t1, &k->t2);
+    k->edges++;
+    return true;
+}
+
 bool clip_liang_barsky_shown(const struct clip_window *w, struct point2 *a, struct point2 *b,
                              struct liang_barsky *k)
 {
-    float dx = b->x - a->x, dy = b->y - a->y;
-    bool left = true;
-    *k = (struct liang_barsky){
-        .p = {-dx, dx, -dy, dy},
-        .q = {a->x - w->x_min, w->x_max - a->x, a->y - w->y_min, w->y_max - a->y},
-        .t1 = 0,
-        .t2 = 1};
-    for (int i = 0; i < 4 && left; i++)
-        left = narrow(k->p[i], k->q[i], &k->t1, &k->t2);
-    if (!left)
+    liang_barsky_begin(k, w, *a, *b);
+    while (liang_barsky_next(k))
+        ;
+    if (!k->left)
         return false;
+    float dx = k->p[1], dy = k->p[3];
     if (k->t2 < 1)
         *b = (struct point2){a->x + k->t2 * dx, a->y + k->t2 * dy};
     if (k->t1 > 0)

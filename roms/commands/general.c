@@ -61,6 +61,16 @@ static bool lesson(struct monitor *m, struct words *w)
     return words_refuse(w, "there is no lesson \"%.40s\"", words_peek(w));
 }
 
+static bool list_lessons(struct monitor *m, struct words *w)
+{
+    (void)m;
+    if (!words_end(w))
+        return false;
+    for (int i = 0; lessons[i] != NULL; i++)
+        printf("  %-20s %s\n", lessons[i]->name, lessons[i]->title);
+    return true;
+}
+
 static bool quit(struct monitor *m, struct words *w)
 {
     (void)m;
@@ -75,6 +85,7 @@ static bool quit(struct monitor *m, struct words *w)
 const struct command commands_general[] = {
     {"help", "[NAME]", "lists the commands, or tells a command's form", help},
     {"lesson", "NAME", "runs a lesson; q leaves it", lesson},
+    {"lessons", "", "lists the lessons", list_lessons},
     {"table", "on|off", "prints the working of what is drawn", table},
     {"step", "on|off", "scan conversions go one decision a key", steps},
     {"quit", "[STATUS]", "ends the monitor", quit},

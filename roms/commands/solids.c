@@ -11,12 +11,24 @@
 #include "roms/solids/normals.h"
 #include "roms/solids/object_check.h"
 
-/* ---- making and drawing it ------------------------------------------------------------------------- */
+/* ---- making and drawing it ------------------------------------------------------------------- */
 
 struct look *present_look(void)
 {
     static struct look look = {-30, 25, 0};
     return &look;
+}
+
+/* When there are few. */
+static void name_vertices(struct stage *stage, const struct scene *scene)
+{
+    enum { FEW = 16 };
+    stage_ink(stage, INK_TEXT);
+    for (int i = 0; i < scene->vertices && scene->vertices <= FEW; i++) {
+        char name[16];
+        snprintf(name, sizeof name, "V%d", i + 1);
+        stage_text(stage, scene->vertex[i].x + 8, scene->vertex[i].y + 6, name);
+    }
 }
 
 void draw_object(struct monitor *m, const struct object *o, const char *title)
@@ -32,6 +44,7 @@ void draw_object(struct monitor *m, const struct object *o, const char *title)
     if (scene_add(&room->lines, o, &view, 0, 0)) {
         stage_ink(&m->stage, INK_GREEN);
         stage_wireframe(&m->stage, &room->lines);
+        name_vertices(&m->stage, &room->lines);
     }
     stage_end(&m->stage);
 }
@@ -152,7 +165,7 @@ static bool look(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- its tables -------------------------------------------------------------------------------------- */
+/* ---- its tables ------------------------------------------------------------------------------ */
 
 /* FROM TO, counted from 1; without them all. */
 static bool take_rows(struct words *w, int count, int *from, int *to)
@@ -244,7 +257,7 @@ static bool attributes(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- checks --------------------------------------------------------------------------------------------- */
+/* ---- checks ---------------------------------------------------------------------------------- */
 
 static void print_fault(const struct object_fault *f)
 {
@@ -305,43 +318,104 @@ static bool check(struct monitor *m, struct words *w)
     return true;
 }
 
-/* ---- planes ----------------------------------------------------------------------------------------------- */
+/* ---- planes ---------------------------------------------------------------------------------- */
 
 static const char *side_text(float value)
 {
     return value > 0 ? "outside" : value < 0 ? "inside" : "on the plane";
 }
 
+static void line3(struct stage *stage, const struct view *view, struct vector3 a, struct vector3 b)
+{
+    a = view_place(view, a);
+    b = view_place(view, b);
+    stage_line(stage, a.x, a.y, b.x, b.y);
+}
+
+static void text3(struct stage *stage, const struct view *view, struct vector3 at, const char *text)
+{
+    at = view_place(view, at);
+    stage_text(stage, at.x + 8, at.y + 6, text);
+}
+
+static void draw_axes(struct stage *stage, const struct view *view, float length)
+{
+    static const char *const names[] = {"x", "y", "z"};
+    struct vector3 origin = {0, 0, 0};
+    const struct vector3 ends[] = {{length, 0, 0}, {0, length, 0}, {0, 0, length}};
+    stage_ink(stage, INK_GRID);
+    for (int i = 0; i < 3; i++) {
+        line3(stage, view, origin, ends[i]);
+        text3(stage, view, ends[i], names[i]);
+    }
+}
+
+/* The triangle with its normal; the point, if there is one, with its way to the plane. */
+static void draw_plane(struct monitor *m, const struct vector3 p[3], const struct plane *plane,
+                       const struct vector3 *point)
+{
+    struct stage *stage = &m->stage;
+    struct vector3 n = plane_normal(plane), middle = {0, 0, 0};
+    float reach = point != NULL ? vector3_length(*point) : 0;
+    for (int i = 0; i < 3; i++) {
+        middle = vector3_sum(middle, vector3_times(p[i], 1.0f / 3));
+        reach = fmaxf(reach, vector3_length(p[i]));
+    }
+    struct matrix4 turn = view_turn(-38, 18);
+    struct view view = view_on_stage(&turn, 0, 400 / reach, 560, 330);
+    stage_begin(stage);
+    stage_title(stage, "A plane through three points");
+    draw_axes(stage, &view, reach);
+    stage_ink(stage, INK_YELLOW);
+    for (int i = 0; i < 3; i++) {
+        static const char *const names[] = {"P1", "P2", "P3"};
+        line3(stage, &view, p[i], p[(i + 1) % 3]);
+        text3(stage, &view, p[i], names[i]);
+    }
+    struct vector3 tip = vector3_sum(middle, vector3_times(n, reach / 3));
+    stage_ink(stage, INK_GREEN);
+    line3(stage, &view, middle, tip);
+    text3(stage, &view, tip, "N");
+    if (point != NULL) {
+        float away = plane_value(plane, *point) /
+                     vector3_length((struct vector3){plane->a, plane->b, plane->c});
+        struct vector3 at = view_place(&view, *point);
+        stage_ink(stage, INK_RED);
+        stage_marker(stage, at.x, at.y);
+        line3(stage, &view, *point, vector3_difference(*point, vector3_times(n, away)));
+        text3(stage, &view, *point, away > 0 ? "outside" : away < 0 ? "inside" : "on the plane");
+    }
+    stage_end(stage);
+}
+
 static bool plane(struct monitor *m, struct words *w)
 {
-    float v[9], at[3];
+    enum { MOST_COORDINATE = 10000 };
+    float v[9], at[3] = {0, 0, 0};
     if (!words_numbers(w, v, 9))
         return false;
     bool has_point = words_take(w, "at");
     if ((has_point && !words_numbers(w, at, 3)) || !words_end(w))
         return false;
+    for (int i = 0; i < 9; i++)
+        if (!(fabsf(v[i]) <= MOST_COORDINATE))
+            return words_refuse(w, "coordinates are -10000 to 10000");
     struct vector3 p1 = {v[0], v[1], v[2]}, p2 = {v[3], v[4], v[5]}, p3 = {v[6], v[7], v[8]};
     struct plane p = plane_through(p1, p2, p3);
     if (p.a == 0 && p.b == 0 && p.c == 0)
         return words_refuse(w, "the points lie on a line");
-    struct object *o = &workroom()->object;
-    object_clear(o);
-    int corner[3] = {object_vertex(o, p1.x, p1.y, p1.z), object_vertex(o, p2.x, p2.y, p2.z),
-                     object_vertex(o, p3.x, p3.y, p3.z)};
-    object_polygon(o, corner, 3, 0);
     printf("A = %.4f  B = %.4f  C = %.4f  D = %.4f\n", print_tidy(p.a), print_tidy(p.b),
            print_tidy(p.c), print_tidy(p.d));
     printf("N = ");
     print_vector3(plane_normal(&p));
     printf("\n");
+    struct vector3 q = {at[0], at[1], at[2]};
     if (has_point) {
-        struct vector3 q = {at[0], at[1], at[2]};
         float value = plane_value(&p, q);
         print_vector3(q);
         printf(": Ax + By + Cz + D = %.4f, %s\n", print_tidy(value), side_text(value));
-        object_vertex(o, q.x, q.y, q.z);
     }
-    draw_object(m, o, "A plane through three points");
+    draw_plane(m, (const struct vector3[]){p1, p2, p3}, &p, has_point ? &q : NULL);
     return true;
 }
 

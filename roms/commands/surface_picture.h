@@ -1,6 +1,6 @@
 /* surface_picture.h — pictures of a scene by each method, the same on every board.
  *
- *      scene ──method──▶ SURFACE_WIDTH × SURFACE_HEIGHT pixels of our own ──▶ into the stage's picture
+ *      scene ──method──▶ SURFACE_WIDTH × SURFACE_HEIGHT pixels ──▶ into the stage's picture
  *
  * Models:     two pictures in memory, so that methods can be compared where there is no head.
  * Units:      pixels.

@@ -9,13 +9,36 @@
 #include "roms/monitor/print.h"
 #include "roms/visible/back_face.h"
 
-/* ---- back faces ---------------------------------------------------------------------------------- */
+/* ---- back faces ------------------------------------------------------------------------------ */
 
 enum { PARALLEL, EYE };
+
+/* The present object, edges of back faces alone dim. */
+static void draw_faces(struct monitor *m, const struct object *o, const bool *back)
+{
+    struct workroom *room = workroom();
+    const struct look *look = present_look();
+    struct matrix4 turn = view_turn(look->yaw, look->pitch);
+    float reach = object_reach(o);
+    struct view view = view_on_stage(&turn, look->eye * reach, 360 / reach, 600, 400);
+    scene_clear(&room->lines);
+    stage_begin(&m->stage);
+    stage_title(&m->stage, "Back faces (dim)");
+    scene_add(&room->lines, o, &view, 0, 0);
+    for (int i = 0; i < room->lines.edges; i++) {
+        const struct object_edge *e = &o->edge[i];
+        bool dim = back[e->polygon[0]] && (e->polygon[1] == OBJECT_NONE || back[e->polygon[1]]);
+        struct vector3 a = room->lines.vertex[e->vertex[0]], b = room->lines.vertex[e->vertex[1]];
+        stage_ink(&m->stage, dim ? INK_GRID : INK_GREEN);
+        stage_line(&m->stage, a.x, a.y, b.x, b.y);
+    }
+    stage_end(&m->stage);
+}
 
 static bool back_face(struct monitor *m, struct words *w)
 {
     static const char *const kinds[] = {"parallel", "eye", NULL};
+    static bool is_back[OBJECT_POLYGONS];
     const struct object *o = present_object();
     float v[3];
     int kind, back = 0;
@@ -33,6 +56,7 @@ static bool back_face(struct monitor *m, struct words *w)
             kind == PARALLEL ? back_face_parallel(n, view) : back_face_perspective(&p, view);
         bool edge_on = kind == PARALLEL && vector3_dot(n, view) == 0;
         back += hidden;
+        is_back[i] = hidden;
         printf("S%-4d %8.4f %8.4f %8.4f %8.4f %9.4f  %-7s  %s\n", i + 1, print_tidy(p.a),
                print_tidy(p.b), print_tidy(p.c), print_tidy(p.d),
                print_tidy(kind == PARALLEL ? vector3_dot(n, view) : plane_value(&p, view)),
@@ -44,11 +68,11 @@ static bool back_face(struct monitor *m, struct words *w)
                          : "-");
     }
     printf("%d of %d polygons are back faces\n", back, o->polygons);
-    draw_object(m, o, "Back faces");
+    draw_faces(m, o, is_back);
     return true;
 }
 
-/* ---- tables of the methods ----------------------------------------------------------------------- */
+/* ---- tables of the methods ------------------------------------------------------------------- */
 
 static int pixels_of(const struct scene *scene, const struct surface *s)
 {
@@ -66,10 +90,13 @@ static void table_depth_buffer(const struct scene *scene)
     for (int i = 0; i < scene->surfaces; i++) {
         const struct surface *s = &scene->surface[i];
         const struct plane *p = &s->plane;
-        float c = p->c != 0 ? p->c : 1;
-        printf("S%-3d %7.4f %7.4f %7.4f %10.4f %7.4f %7.4f %7d\n", s->polygon + 1, print_tidy(p->a),
-               print_tidy(p->b), print_tidy(p->c), print_tidy(p->d), print_tidy(-p->a / c),
-               print_tidy(-p->b / c), pixels_of(scene, s));
+        printf("S%-3d %7.4f %7.4f %7.4f %10.4f", s->polygon + 1, print_tidy(p->a), print_tidy(p->b),
+               print_tidy(p->c), print_tidy(p->d));
+        if (p->c != 0)
+            printf(" %7.4f %7.4f %7d\n", print_tidy(-p->a / p->c), print_tidy(-p->b / p->c),
+                   pixels_of(scene, s));
+        else
+            printf(" edge-on\n");
     }
 }
 
@@ -148,7 +175,7 @@ static void print_table(const struct scene *scene, enum surface_method method, i
     }
 }
 
-/* ---- pictures ------------------------------------------------------------------------------------- */
+/* ---- pictures -------------------------------------------------------------------------------- */
 
 static int lit(const uint8_t *pixels)
 {

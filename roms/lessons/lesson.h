@@ -16,10 +16,8 @@
 
 #include <stdbool.h>
 
+#include "roms/lessons/key.h"
 #include "roms/stage/stage.h"
-
-/* Keys beyond ASCII, as lesson.key gets them. */
-enum { KEY_UP = 0x100, KEY_DOWN, KEY_RIGHT, KEY_LEFT };
 
 struct lesson {
     const char *name;  /* one word, for the command `lesson NAME` */

@@ -35,7 +35,7 @@ struct workroom *workroom(void)
     return &room;
 }
 
-/* ---- named scenes --------------------------------------------------------------------------------- */
+/* ---- named scenes ---------------------------------------------------------------------------- */
 
 static void quad(struct object *o, const struct vector3 p[4], int attribute)
 {
@@ -57,17 +57,17 @@ static void move(struct object *o, int first, float x, float y, float z)
 
 static void make_solids(struct object *o)
 {
-    object_box(o, 1.1f, 1.1f, 1.1f, 0);
-    move(o, 0, -1.15f, 0.75f, 0);
+    object_box(o, 1.3f, 1.3f, 1.3f, 0);
+    move(o, 0, -1.0f, 0.75f, 0);
     int first = o->vertices;
-    object_sphere(o, 0.75f, 16, 10, 1);
-    move(o, first, 1.1f, 0.7f, -0.4f);
+    object_sphere(o, 0.8f, 16, 10, 1);
+    move(o, first, 0.85f, 0.7f, -0.45f);
     first = o->vertices;
-    object_torus(o, 0.62f, 0.24f, 20, 10, 2);
-    move(o, first, -0.9f, -0.85f, 0.5f);
+    object_torus(o, 0.68f, 0.27f, 20, 10, 2);
+    move(o, first, -0.75f, -0.75f, 0.45f);
     first = o->vertices;
-    object_cylinder(o, 0.42f, 1.1f, 16, 3);
-    move(o, first, 0.95f, -0.85f, 0.3f);
+    object_cylinder(o, 0.45f, 1.2f, 16, 3);
+    move(o, first, 0.8f, -0.8f, 0.2f);
 }
 
 static void make_two(struct object *o)
@@ -138,7 +138,7 @@ bool scene_make(struct object *o, enum scene_which which)
     return which == SCENE_SOLIDS;
 }
 
-/* ---- views ------------------------------------------------------------------------------------------ */
+/* ---- views ----------------------------------------------------------------------------------- */
 
 struct matrix4 view_turn(float yaw, float pitch)
 {
@@ -173,7 +173,7 @@ float object_reach(const struct object *o)
     return reach;
 }
 
-/* ---- colours and lines -------------------------------------------------------------------------------- */
+/* ---- colours and lines ----------------------------------------------------------------------- */
 
 float scene_light(struct vector3 n)
 {
@@ -181,7 +181,7 @@ float scene_light(struct vector3 n)
     float k = vector3_dot(n, to_light);
     if (n.z < 0)
         k = -k;
-    return 0.12f + 0.8f * (k > 0 ? k : 0);
+    return 0.1f + 0.66f * (k > 0 ? k : 0);
 }
 
 void scene_shade(struct scene *scene, const struct object *o)

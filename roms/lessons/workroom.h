@@ -42,16 +42,16 @@ struct workroom *workroom(void);
 
 /* Turned by `yaw` about y, then by `pitch` about x; degrees. */
 struct matrix4 view_turn(float yaw, float pitch);
-/* A view with the origin at a place of the stage, `scale` stage units a unit: in pixels of its canvas,
- * in stage units. */
+/* A view with the origin at a place of the stage, `scale` stage units a unit: in pixels of its
+ * canvas, in stage units. */
 struct view view_on_canvas(const struct stage *stage, const struct matrix4 *turn, float eye,
                            float scale, float x, float y);
 struct view view_on_stage(const struct matrix4 *turn, float eye, float scale, float x, float y);
 /* How far the object's farthest vertex is from the origin. */
 float object_reach(const struct object *o);
 
-/* Colours surfaces by the light on them, each in the ramp of its polygon's attribute. Those that are
- * seen from behind are lit as if from before. */
+/* Colours surfaces by the light on them, each in the ramp of its polygon's attribute. Those that
+ * are seen from behind are lit as if from before. */
 void scene_shade(struct scene *scene, const struct object *o);
 /* How light a surface with this normal is, 0…1. */
 float scene_light(struct vector3 normal);

@@ -1,21 +1,10 @@
 #include "roms/monitor/lesson_run.h"
 
+#include <stdio.h>
+
 #include "roms/bsp/board.h"
-#include "roms/bsp/console.h"
 #include "roms/bsp/timer.h"
-
-enum { ESCAPE = 27 };
-
-/* A key, or -1 when none came until `until`. */
-static int key_until(uint64_t until, bool forever)
-{
-    for (;;) {
-        int c = console_poll();
-        if (c >= 0 || (!forever && timer_now() >= until))
-            return c;
-        timer_sleep(TIMER_HZ / 500);
-    }
-}
+#include "roms/monitor/keys.h"
 
 /* At the end of input: somebody may look on. */
 static bool runs_on(void)
@@ -23,21 +12,34 @@ static bool runs_on(void)
     return board_has_vector_head() || board_has_raster_head();
 }
 
+static void prompt(struct stage *stage, const struct lesson *lesson)
+{
+    char text[STAGE_PROMPT + 1];
+    snprintf(text, sizeof text, "q back%s%s", lesson->keys[0] != '\0' ? "   " : "", lesson->keys);
+    stage_prompt(stage, text);
+}
+
+/* Draws it; when it is to be drawn again. */
+static uint64_t draw(struct monitor *m, const struct lesson *lesson, uint64_t start)
+{
+    stage_begin(&m->stage);
+    float again = lesson->draw(lesson->state, &m->stage, (float)(timer_now() - start) / TIMER_HZ);
+    stage_end(&m->stage);
+    return again < 0 ? KEYS_FOREVER : timer_now() + (uint64_t)(again * TIMER_HZ);
+}
+
 void lesson_run(struct monitor *m, const struct lesson *lesson)
 {
     uint64_t start = timer_now();
+    printf("%s. Keys: q leaves%s%s\n", lesson->title, lesson->keys[0] != '\0' ? "   " : "",
+           lesson->keys);
+    prompt(&m->stage, lesson);
     lesson->begin(lesson->state);
     for (;;) {
-        stage_begin(&m->stage);
-        float again =
-            lesson->draw(lesson->state, &m->stage, (float)(timer_now() - start) / TIMER_HZ);
-        stage_end(&m->stage);
-        int c = key_until(timer_now() + (uint64_t)(again > 0 ? again * TIMER_HZ : 0), again < 0);
-        if (c == CONSOLE_EOF && runs_on())
-            continue;
-        if (c == 'q' || c == ESCAPE || c == CONSOLE_EOF)
+        int key = keys_next(draw(m, lesson, start));
+        if (key == 'q' || key == KEYS_ESCAPE || (key == KEYS_INPUT_END && !runs_on()))
             return;
-        if (c >= 0)
-            lesson->key(lesson->state, c);
+        if (key != KEYS_NONE && key != KEYS_INPUT_END)
+            lesson->key(lesson->state, key);
     }
 }

@@ -1,25 +1,23 @@
 /* monitor — the terminal's own program: lessons, and a console language for all that they show.
  *
  *      kinescope run                                     the menu, in a window
- *      kinescope run roms/monitor.elf --headless --console < script
+ *      kinescope run --headless --console < script
  *
  * It also runs on a board without heads, where it prints the same tables.
  */
 #include <stdio.h>
 
-#include "roms/bsp/console.h"
-#include "roms/monitor/command.h"
+#include "roms/monitor/shell.h"
+
+/* The vector head's tube, unless another is asked for: things move here, and P39 glows on for long. */
+extern const char kinescope_tube[];
+const char kinescope_tube[] = "VR17/P31";
 
 int main(void)
 {
     static struct monitor monitor;
-    static char line[1024];
     stage_open(&monitor.stage);
     printf("kinescope monitor; \"help\" lists the commands.\n");
-    for (;;) {
-        printf("> ");
-        if (console_line(line, sizeof line) < 0)
-            return 0;
-        command_line(&monitor, line);
-    }
+    shell_run(&monitor);
+    return 0;
 }

@@ -1,7 +1,8 @@
 /* monitor.h — the terminal's monitor: what all commands share.
  *
- *      console ──line──▶ words ──▶ command ──▶ table on the console
- *                                       └────▶ picture on the stage
+ *      keys ──▶ editor ──line──▶ words ──▶ command ──▶ table on the console, and the transcript
+ *                 │                            └─────▶ picture on the stage
+ *                 └──▶ menu, pages (shell.c)
  *
  * Models:     the state that commands change for those that follow.
  * Ownership:  one for the program.

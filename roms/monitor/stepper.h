@@ -4,7 +4,9 @@
  *                             ├──▶ a row of the table (table on)
  *                             └──▶ enlarged pixels on the stage; in step mode a key for each
  *
- * Models:     what lines, curves and fills have in common for those who watch.
+ * Models:     what lines, curves and fills have in common for those who watch. A figure too large
+ *             for cells that can be told apart is shown without its ideal; in step mode the cells
+ *             about the candidates.
  * Units:      pixels, y up.
  * Ownership:  the state is the caller's and must outlive scan_run.
  * Errors:     none; a scan conversion without end must end itself.
@@ -39,13 +41,15 @@ struct stepper {
     const char *title;  /* of the picture */
     const char *header; /* of the table */
     int x0, y0, x1, y1; /* the pixels to be shown */
-    /* The next decision, into an empty step; false: there was none left. The first may be the start. */
+    /* The next decision, into an empty step; false: there was none left. The first may be the
+     * start. */
     bool (*next)(void *state, struct step *step);
     /* Draws the ideal over the pixels; may be NULL. */
     void (*ideal)(const void *state, const struct grid *grid);
     /* Draws what stands before the first decision (a boundary to be filled); may be NULL. */
     void (*before)(const void *state, const struct grid *grid);
     void *state;
+    const char *caption; /* under the finished picture; may be NULL */
 };
 
 /* Runs it: to the end, or key by key in step mode. Prints its rows when the table is on. */

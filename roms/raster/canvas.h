@@ -9,8 +9,8 @@
  * Ownership:  the pixels are the caller's; they begin at a multiple of 4, as does every row.
  * Errors:     none. A canvas 0 wide and 0 high, which a board without a raster head gives, takes
  *             everything and keeps nothing.
- * Source:     J. E. Bresenham, IBM Systems Journal 4 (1965) 25, for lines; the midpoint method for
- *             ellipses.
+ * Source:     J. E. Bresenham, IBM Systems Journal 4 (1965) 25, for lines (line_bresenham.h);
+ *             ellipses row by row from their equation.
  * Not modelled: polygons, clipping to windows, antialiasing, pixels of 24 bits.
  */
 #ifndef ROMS_RASTER_CANVAS_H
@@ -38,10 +38,15 @@ void canvas_dot(const struct canvas *c, int x, int y, uint32_t colour);
 void canvas_frame(const struct canvas *c, int x, int y, int width, int height, int thick,
                   uint32_t colour);
 
-/* Both ends are drawn. */
+/* Bresenham's line (line_bresenham.h), both ends included; a part that lies outside changes no
+ * pixel that is within. Coordinates beyond ±2^28: nothing. 7 instructions a pixel of 8, 16 or 32
+ * bits. */
 void canvas_line(const struct canvas *c, int x0, int y0, int x1, int y1, uint32_t colour);
 
-/* An ellipse's outline, a pixel wide: its extreme pixels are `rx` and `ry` from the middle one. */
+/* An ellipse's outline, a pixel wide: its extreme pixels are `rx` and `ry` from the middle one. It
+ * is the edge of the disc below, so that outlines and areas fit each other; canvas_ellipse_midpoint
+ * (ellipse_midpoint.h) lights the pixels nearest to the ellipse through the middles of the extreme
+ * ones, and canvas_circle (circle_midpoint.h) is the fastest. */
 void canvas_ellipse(const struct canvas *c, int x, int y, int rx, int ry, uint32_t colour);
 /* What is inside of it, outline included. */
 void canvas_disc(const struct canvas *c, int x, int y, int rx, int ry, uint32_t colour);

@@ -2,21 +2,22 @@
  *
  *      ordered:    level = ⌊v·(levels − 1) + threshold⌋,       error diffusion:      ·   X  7/16
  *                  threshold from a matrix that repeats                             3/16 5/16 1/16
- *                  over the picture (Bayer)                     what a pixel could not show is given
+ *                  over the picture (Bayer)                     what a pixel could not show goes
  *                                                               to those that come after it
  *
- * Models:     Bayer's matrices of 4 by 4 and 8 by 8, and the weights of Floyd and Steinberg. The mean
- *             over an area is that of the intensities.
- * Cost:       ordered: a look-up and a multiplication, about 10 instructions a pixel; diffusion: about
- *             30, and a row of errors.
+ * Models:     Bayer's matrices of 4 by 4 and 8 by 8, and the weights of Floyd and Steinberg. The
+ *             mean over an area is that of the intensities.
+ * Cost:       ordered: a look-up and a multiplication, about 13 instructions a pixel; diffusion:
+ *             about 38, and a row of errors.
  * Domain:     intensities 0…1 as light (or as anything that the eye adds up); 2…256 levels; rows of
  *             diffusion are done from the top, each from left to right.
  * Units:      levels 0…levels − 1.
  * Ownership:  the row of errors is the caller's.
  * Errors:     none: intensities beyond 0…1 are moved to the end.
- * Source:     B. E. Bayer, An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures, IEEE
- *             International Conference on Communications (1973) 26-11; R. W. Floyd, L. Steinberg, An
- *             Adaptive Algorithm for Spatial Greyscale, Proceedings of the SID 17 (1976) 75.
+ * Source:     B. E. Bayer, An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures,
+ *             IEEE International Conference on Communications (1973) 26-11; R. W. Floyd, L.
+ *             Steinberg, An Adaptive Algorithm for Spatial Greyscale, Proceedings of the SID 17
+ *             (1976) 75.
  * Not modelled: rows in alternating directions; colours that are chosen from a palette.
  */
 #ifndef ROMS_RASTER_DITHER_H

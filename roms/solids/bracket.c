@@ -120,7 +120,7 @@ static bool base_vertices(struct object *o, const struct bracket *b, struct plat
     return o->vertices < OBJECT_VERTICES;
 }
 
-static bool quadrilateral(struct object *o, int a, int b, int c, int d, int attribute)
+static bool four_corners(struct object *o, int a, int b, int c, int d, int attribute)
 {
     int corner[] = {a, b, c, d};
     return object_polygon(o, corner, 4, attribute) >= 0;
@@ -132,12 +132,12 @@ static bool plate_polygons(struct object *o, const struct plate *p, int attribut
     for (int i = 0; i < p->count; i++) {
         int k = (i + 1) % p->count;
         const int *f = p->outer[0], *b = p->outer[1], *fi = p->inner[0], *bi = p->inner[1];
-        if (!quadrilateral(o, f[i], f[k], fi[k], fi[i], attribute) ||
-            !quadrilateral(o, b[k], b[i], bi[i], bi[k], attribute) ||
-            !quadrilateral(o, fi[i], fi[k], bi[k], bi[i], attribute))
+        if (!four_corners(o, f[i], f[k], fi[k], fi[i], attribute) ||
+            !four_corners(o, b[k], b[i], bi[i], bi[k], attribute) ||
+            !four_corners(o, fi[i], fi[k], bi[k], bi[i], attribute))
             return false;
         if ((i < p->line_first || i >= p->line_last) &&
-            !quadrilateral(o, f[i], b[i], b[k], f[k], attribute))
+            !four_corners(o, f[i], b[i], b[k], f[k], attribute))
             return false;
     }
     return true;

@@ -4,11 +4,11 @@
  *            │ ○ │ upright    side: depth, thickness               │
  *            │   │            plan: the other hole                 └──▶ x, z toward the viewer
  *         ┌──┴───┴──┐
- *        ╱    ◯    ╱ base     x from −width/2 to width/2; the back of the upright is z = 0, the bottom
+ *        ╱    ◯    ╱ base     x from −width/2 to width/2; the upright's back is z = 0, the bottom
  *       └─────────┘           of the base y = 0
  *
- * Models:     a closed solid with two tunnels: V − E + S = −2. Holes and the round top are polygons of 24
- *             and a few sides. Faces with holes are cut into convex polygons of one plane.
+ * Models:     a closed solid with two tunnels: V − E + S = −2. Holes and the round top are polygons
+ *             of 24 and a few sides. Faces with holes are cut into convex polygons of one plane.
  * Cost:       about 150 polygons.
  * Domain:     bracket_fits; every dimension above 0.
  * Units:      the caller's: millimetres.

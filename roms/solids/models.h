@@ -1,21 +1,22 @@
 /* models.h — solids to begin with: box, sphere, cylinder, torus, and a vessel.
  *
  *          ┌──┐       ring of vertices                    lid ╭○╮
- *         ╱  ╱│      ╭─────────╮ ◀─ profile (r, y)      ╭───┴─┴──╮  ╱╱  spout: a tube along a Bézier
- *        ┌──┐ │      │─────────│    turned about y    ╭─┤  body  ├─╱╱   curve
- *        │  │╱       ╰─────────╯                      ╰─┤        │╱    handle: another
+ *         ╱  ╱│      ╭─────────╮ ◀─ profile (r, y)      ╭───┴─┴──╮  ╱╱  spout: a tube along a
+ *        ┌──┐ │      │─────────│    turned about y    ╭─┤  body  ├─╱╱   Bézier
+ *        │  │╱       ╰─────────╯                      ╰─┤        │╱    curve; handle: another
  *        └──┘                                            ╰──────╯
  *
- * Each adds its polygons to the object, about the origin, y up, corners counter-clockwise from outside;
- * object_normals is for the caller to call after the last. The vessel is four closed solids, which
- * reach into each other; it is this project's own design.
+ * Each adds its polygons to the object, about the origin, y up, corners counter-clockwise from
+ * outside; object_normals is for the caller to call after the last. The vessel is four closed
+ * solids, which reach into each other; it is this project's own design.
  *
  * Models:     surfaces of revolution and tubes, approximated by quadrilaterals and triangles.
- * Cost:       about 700 instructions a polygon.
+ * Cost:       about 830 instructions a polygon.
  * Domain:     segments 3…MODEL_SEGMENTS round the axis, rings 2…MODEL_RINGS along it.
  * Units:      the caller's. A vessel of size 1 is about 2 high and 3.4 long.
  * Ownership:  nothing.
- * Errors:     what does not fit, or lies outside of the domain: false; the object then holds a part.
+ * Errors:     what does not fit, or lies outside of the domain: false; the object then holds a
+ *             part.
  * Source:     elementary.
  * Not modelled: the vessel's inside.
  */
@@ -35,8 +36,8 @@ bool object_torus(struct object *o, float radius, float tube, int segments, int 
 /* Segments 8…VESSEL_SEGMENTS; 16 give about 1000 triangles. */
 bool object_vessel(struct object *o, float size, int segments, int attribute);
 
-/* A profile (r, y) turned about y; from the lowest point to the highest its outside is on the right. Ends
- * with r > 0 become flat; a closed one goes on from its last point to its first. */
+/* A profile (r, y) turned about y; from the lowest point to the highest its outside is on the
+ * right. Ends with r > 0 become flat; a closed one goes on from its last point to its first. */
 bool object_revolve(struct object *o, const struct point2 *profile, int count, bool closed,
                     int segments, int attribute);
 

@@ -4,11 +4,12 @@
  *              │  ╱▲ N2                                       without a crease between them
  *          ────┴─╱─╯──
  *
- * Where two polygons meet at more than the crease's angle a vertex has more than one normal, so that the
- * rim of a cylinder stays an edge. With NORMALS_ROUND every vertex has one, as the formula says.
+ * Where two polygons meet at more than the crease's angle a vertex has more than one normal, so
+ * that the rim of a cylinder stays an edge. With NORMALS_ROUND every vertex has one, as the formula
+ * says.
  *
  * Models:     mean normals; fans of triangles.
- * Cost:       object_normals: about 60 instructions a side and 40 a polygon.
+ * Cost:       object_normals: about 390 instructions a side.
  * Domain:     any object; polygons without area and their corners count for nothing.
  * Units:      normals have length 1.
  * Ownership:  writes normal, side_normal and normals of the object.

@@ -34,10 +34,12 @@ int object_edge_between(const struct object *o, int a, int b)
 /* The edge from a to b, a new one if there is none; -1: no room, or it has two polygons. */
 static int edge_for_polygon(struct object *o, int a, int b)
 {
+    if (a == b)
+        return -1;
     int e = object_edge_between(o, a, b), low = a < b ? a : b;
     if (e >= 0)
         return o->edge[e].polygon[1] == OBJECT_NONE ? e : -1;
-    if (o->edges == OBJECT_EDGES || a == b)
+    if (o->edges == OBJECT_EDGES)
         return -1;
     e = o->edges++;
     o->edge[e] = (struct object_edge){{(uint16_t)a, (uint16_t)b}, {OBJECT_NONE, OBJECT_NONE}};

@@ -4,9 +4,9 @@
  *      V2: x, y, z        E2: V2, V3 ──▶ S1, S5       S2: E3, E4, E5, E6       reflects
  *        ▲  vertices ◀──────┘ edges ◀── reciprocal ──▶  polygons ─────────────▶ attributes
  *
- * Polygons are convex and planar, their corners counter-clockwise seen from outside. object_polygon makes
- * the edges that are not there yet and sets the pointers back from edges to polygons; object_check.h
- * says whether tables from elsewhere are right.
+ * Polygons are convex and planar, their corners counter-clockwise seen from outside. object_polygon
+ * makes the edges that are not there yet and sets the pointers back from edges to polygons;
+ * object_check.h says whether tables from elsewhere are right.
  *
  * Models:     a boundary representation by three lists, with pointers both ways.
  * Cost:       object_polygon looks at the edges of one vertex a corner; a few hundred instructions.
@@ -14,8 +14,8 @@
  * Units:      the caller's; right-handed.
  * Ownership:  plain value of about 135 KB: static storage. Indices count from 0, names from 1.
  * Errors:     what does not fit: -1 or false, and nothing changes but new edges.
- * Source:     J. D. Foley et al., Computer Graphics (1990), section 11.1; B. G. Baumgart, Winged Edge
- *             Polyhedron Representation, Stanford AIM-179 (1972), for the pointers back.
+ * Source:     J. D. Foley et al., Computer Graphics (1990), section 11.1; B. G. Baumgart, Winged
+ *             Edge Polyhedron Representation, Stanford AIM-179 (1972), for the pointers back.
  * Not modelled: polygons with holes, curved faces, textures.
  */
 #ifndef ROMS_SOLIDS_OBJECT_H
@@ -81,8 +81,8 @@ void object_clear(struct object *o);
 /* The new entry's index; -1: no room. */
 int object_vertex(struct object *o, float x, float y, float z);
 int object_attribute(struct object *o, const struct object_attribute *attribute);
-/* A polygon by its corners, 3…OBJECT_CORNERS: its index; -1: no room, a vertex that there is not, or an edge
- * that already has two polygons. */
+/* A polygon by its corners, 3…OBJECT_CORNERS: its index; -1: no room, a vertex that there is not,
+ * or an edge that already has two polygons. */
 int object_polygon(struct object *o, const int *corners, int count, int attribute);
 /* The index of the edge between two vertices; -1: none. */
 int object_edge_between(const struct object *o, int a, int b);

@@ -9,7 +9,7 @@ void object_check_begin(struct object_check *c, const struct object *o)
 {
     c->object = o;
     c->rule = RULE_VERTEX_ENDS;
-    c->index = 0;
+    c->index = c->polygon = 0;
     for (int i = 0; i < o->vertices; i++)
         c->ends[i] = 0;
     for (int i = 0; i < o->edges; i++) {
@@ -67,20 +67,21 @@ static unsigned wrong_pointer(const struct object *o, int edge)
 }
 
 /* Indices count edges first, then sides: each the other half of the rule. */
-static bool is_reciprocal(const struct object *o, int index, struct object_fault *fault)
+static bool is_reciprocal(struct object_check *c, int index, struct object_fault *fault)
 {
+    const struct object *o = c->object;
     if (index < o->edges) {
         fault->index = index;
         fault->other = (int)wrong_pointer(o, index);
         return fault->other == OBJECT_NONE;
     }
-    int side = index - o->edges, polygon = 0;
-    while (side >= o->polygon[polygon].first + o->polygon[polygon].count)
-        polygon++;
+    int side = index - o->edges;
+    while (side >= o->polygon[c->polygon].first + o->polygon[c->polygon].count)
+        c->polygon++;
     const struct object_edge *e = &o->edge[o->side[side].edge];
     fault->index = o->side[side].edge;
-    fault->other = polygon;
-    return e->polygon[0] == polygon || e->polygon[1] == polygon;
+    fault->other = c->polygon;
+    return e->polygon[0] == c->polygon || e->polygon[1] == c->polygon;
 }
 
 static int entries(const struct object *o, enum object_rule rule)
@@ -97,7 +98,7 @@ static int entries(const struct object *o, enum object_rule rule)
     }
 }
 
-static bool holds(const struct object_check *c, int index, struct object_fault *fault)
+static bool holds(struct object_check *c, int index, struct object_fault *fault)
 {
     *fault = (struct object_fault){c->rule, index, 0};
     switch (c->rule) {
@@ -111,7 +112,7 @@ static bool holds(const struct object_check *c, int index, struct object_fault *
     case RULE_POLYGON_SHARED:
         return shares_an_edge(c, index);
     default:
-        return is_reciprocal(c->object, index, fault);
+        return is_reciprocal(c, index, fault);
     }
 }
 

@@ -1,18 +1,19 @@
 /* plane.h — the plane of a polygon, and which side of it a point is on.
  *
  *      A·x + B·y + C·z + D = 0        > 0: outside   ▲ N = (A, B, C)
- *                                     ───────────────┴──────────────── corners counter-clockwise seen
+ *                                     ───────────────┴─────────── corners counter-clockwise seen
  *                                     < 0: inside                      from outside
  *
- * Models:     the plane through three points by Cramer's rule; that of a polygon by Newell's sums, which
- *             takes every corner alike and equals it (times a factor) when the polygon is planar.
+ * Models:     the plane through three points by Cramer's rule; that of a polygon by Newell's sums,
+ *             which takes every corner alike and equals it (times a factor) when the polygon is
+ *             planar.
  * Cost:       three points: 9 multiplications for A, B, C and 3 for D; Newell: 6 a corner.
  * Domain:     finite coordinates.
  * Units:      the caller's. The length of N is twice the polygon's area.
  * Ownership:  plain values.
  * Errors:     points on a line: A = B = C = D = 0.
- * Source:     I. E. Sutherland, R. F. Sproull, R. A. Schumacker, ACM Computing Surveys 6 (1974) 1, for the
- *             sums of M. E. Newell.
+ * Source:     I. E. Sutherland, R. F. Sproull, R. A. Schumacker, ACM Computing Surveys 6 (1974) 1,
+ *             for the sums of M. E. Newell.
  */
 #ifndef ROMS_SOLIDS_PLANE_H
 #define ROMS_SOLIDS_PLANE_H

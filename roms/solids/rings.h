@@ -1,6 +1,6 @@
 /* rings.h — surfaces between rings of vertices, for the model makers.
  *
- *      ring b   ●───●───●───      from a to b the outside is in front when vertices count to the right;
+ *      ring b   ●───●───●───      from a to b the outside is in front when vertices count right;
  *               │   │   │         a ring of one vertex is a pole
  *      ring a   ●───●───●───
  *

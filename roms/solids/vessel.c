@@ -1,5 +1,5 @@
-/* vessel.c — a vessel with a lid, a handle and a spout, made of cubic Bézier curves: profiles that are
- * turned about y, paths that tubes follow. */
+/* vessel.c — a vessel with a lid, a handle and a spout, made of cubic Bézier curves: profiles that
+ * are turned about y, paths that tubes follow. */
 #include "roms/solids/models.h"
 
 enum { PROFILE_POINTS = 3 * VESSEL_SEGMENTS / 4 + 2, TUBE_RINGS = 2 * VESSEL_SEGMENTS / 4 + 4 };

@@ -13,7 +13,11 @@
 
 #include "roms/stage/stage.h"
 
-enum { DEVICE_FARTHEST = 1000000, DEVICE_CHARACTER = 14 /* advance, head units */ };
+enum {
+    DEVICE_FARTHEST = 1000000,
+    DEVICE_UNITS = 1024,   /* of the vector head, either way */
+    DEVICE_CHARACTER = 14, /* advance of a character, head units */
+};
 
 /* Finite, and not so far that whole numbers overflow. */
 static inline bool device_sane(struct point2 p)
@@ -21,15 +25,23 @@ static inline bool device_sane(struct point2 p)
     return fabsf(p.x) <= DEVICE_FARTHEST && fabsf(p.y) <= DEVICE_FARTHEST;
 }
 
+static inline float device_between(float v, float low, float high)
+{
+    return v < low ? low : v > high ? high : v;
+}
+
 /* In the picture, whatever rounding did. */
 static inline struct point2 device_inside(struct point2 p)
 {
-    return (struct point2){fminf(fmaxf(p.x, 0), STAGE_WIDTH), fminf(fmaxf(p.y, 0), STAGE_HEIGHT)};
+    return (struct point2){device_between(p.x, 0, STAGE_WIDTH),
+                           device_between(p.y, 0, STAGE_HEIGHT)};
 }
 
+/* floor(v + 1/2) without a call. */
 static inline int device_nearest(float v)
 {
-    return (int)floorf(v + 0.5f);
+    int i = (int)(v + 0.5f);
+    return i - ((float)i > v + 0.5f);
 }
 
 static inline int device_dot(const struct stage *s, float x)

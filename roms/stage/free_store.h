@@ -4,8 +4,8 @@
  *          │ A │ hole │ B  │  hole  │C │  hole   │           become one
  *          └───┴──────┴────┴────────┴──┴─────────┘
  *
- * Models:     a free list outside of the memory that it describes, sorted by address; neighbours are
- *             merged when they are given back.
+ * Models:     a free list outside of the memory that it describes, sorted by address; neighbours
+ *             are merged when they are given back.
  * Cost:       taking and giving: a search through the holes.
  * Domain:     at most FREE_STORE_HOLES holes: one more than blocks that are taken.
  * Units:      the caller's: bytes, words.

@@ -1,31 +1,56 @@
 #include "roms/stage/graph.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
+
+/* Beyond these a point of the world is not looked at: squares and differences stay finite. */
+#define FARTHEST 1e15f
+/* A window is not narrower than this part of its distance from the origin: floats must tell its
+ * ends apart. */
+#define NARROWEST 1e-5f
+
+struct box {
+    struct point2 low, high;
+};
+
+static struct box box_of(const struct point2 *points, int count)
+{
+    struct box b = {{0, 0}, {0, 0}};
+    bool first = true;
+    for (int i = 0; i < count; i++) {
+        struct point2 p = points[i];
+        if (!(fabsf(p.x) <= FARTHEST && fabsf(p.y) <= FARTHEST))
+            continue;
+        b.low.x = first || p.x < b.low.x ? p.x : b.low.x;
+        b.low.y = first || p.y < b.low.y ? p.y : b.low.y;
+        b.high.x = first || p.x > b.high.x ? p.x : b.high.x;
+        b.high.y = first || p.y > b.high.y ? p.y : b.high.y;
+        first = false;
+    }
+    return b;
+}
 
 struct graph graph_fit(struct stage *stage, float left, float bottom, float width, float height,
                        const struct point2 *points, int count)
 {
     enum { MARGIN = 60 }; /* for the axes' figures */
-    struct point2 low = {0, 0}, high = {0, 0};
-    for (int i = 0; i < count; i++) {
-        low.x = i == 0 || points[i].x < low.x ? points[i].x : low.x;
-        low.y = i == 0 || points[i].y < low.y ? points[i].y : low.y;
-        high.x = i == 0 || points[i].x > high.x ? points[i].x : high.x;
-        high.y = i == 0 || points[i].y > high.y ? points[i].y : high.y;
-    }
-    float across = high.x - low.x, up = high.y - low.y;
-    if (across <= 0 && up <= 0)
-        across = up = 1;
-    float sx = (width - 2 * MARGIN) / across, sy = (height - 2 * MARGIN) / up;
+    struct box b = box_of(points, count);
+    float x = (b.low.x + b.high.x) / 2, y = (b.low.y + b.high.y) / 2;
+    float across = b.high.x - b.low.x, up = b.high.y - b.low.y;
+    float least = fmaxf(NARROWEST * fmaxf(fabsf(x), fabsf(y)), 1e-15f);
+    if (fmaxf(across, up) <= least)
+        across = up = fmaxf(x == 0 && y == 0 ? 1 : 0.5f * fmaxf(fabsf(x), fabsf(y)), least);
+    float sx = fmaxf(width - 2 * MARGIN, 1) / fmaxf(across, least);
+    float sy = fmaxf(height - 2 * MARGIN, 1) / fmaxf(up, least);
     struct graph g = {.stage = stage,
                       .left = left,
                       .bottom = bottom,
                       .width = width,
                       .height = height,
-                      .scale = across <= 0 || sy < sx ? sy : sx};
-    g.x_min = (low.x + high.x) / 2 - width / 2 / g.scale;
-    g.y_min = (low.y + high.y) / 2 - height / 2 / g.scale;
+                      .scale = fminf(sx, sy)};
+    g.x_min = x - width / 2 / g.scale;
+    g.y_min = y - height / 2 / g.scale;
     g.x_max = g.x_min + width / g.scale;
     g.y_max = g.y_min + height / g.scale;
     return g;
@@ -74,7 +99,9 @@ void graph_text(const struct graph *g, struct point2 at, const char *text)
     stage_text(g->stage, at.x + 10, at.y + 8, text);
 }
 
-/* ---- axes --------------------------------------------------------------------------------------- */
+/* ---- axes ------------------------------------------------------------------------------------ */
+
+enum { APART = 110, TICK = 6, MOST_TICKS = 64, FIGURE = 16 };
 
 /* 1, 2 or 5 times a power of ten: the smallest that is at least so much. */
 static float round_step(float at_least)
@@ -84,33 +111,90 @@ static float round_step(float at_least)
     return power * (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10);
 }
 
-static void figure(const struct graph *g, struct point2 at, float value)
+/* As many decimals as the step has; huge and tiny ones with an exponent. */
+static int figure(char text[FIGURE], float value, float step)
 {
-    char text[16];
-    snprintf(text, sizeof text, "%g", (double)value);
-    stage_text_middle(g->stage, at.x, at.y, text);
+    int decimals = step < 1 ? (int)ceilf(-log10f(step) - 0.01f) : 0;
+    if (fabsf(value) >= 1e6f || decimals > 4)
+        return snprintf(text, FIGURE, "%.6g", (double)value);
+    return snprintf(text, FIGURE, "%.*f", decimals, (double)value);
+}
+
+/* Ticks at multiples of a step, none at the very ends. */
+struct ticks {
+    float step;
+    float first; /* in steps */
+    int count;
+};
+
+static struct ticks ticks(float low, float high, float step)
+{
+    struct ticks t = {.step = step, .first = ceilf(low / step + 0.2f)};
+    float last = floorf(high / step - 0.2f);
+    t.count = (int)fminf(fmaxf(last - t.first + 1, 0), MOST_TICKS);
+    return t;
+}
+
+/* The figures of an axis along x: every n-th, so that they stand clear of each other. */
+static int every(const struct graph *g, const struct ticks *t)
+{
+    char text[FIGURE];
+    int longest = 0, n = 1;
+    for (int i = 0; i < t->count; i++) {
+        int length = figure(text, (t->first + (float)i) * t->step, t->step);
+        longest = length > longest ? length : longest;
+    }
+    while ((float)n * t->step * g->scale < (float)((longest + 1) * STAGE_CHARACTER) &&
+           n < MOST_TICKS)
+        n++;
+    return n;
+}
+
+/* Below the axis, or above it where there is no room below. */
+static void x_axis(const struct graph *g, float step, float y0)
+{
+    char text[FIGURE];
+    struct ticks t = ticks(g->x_min, g->x_max, step);
+    int n = every(g, &t);
+    for (int i = 0; i < t.count; i++) {
+        float k = t.first + (float)i;
+        struct point2 at = graph_place(g, (struct point2){k * step, y0});
+        stage_ink(g->stage, INK_GRID);
+        stage_line(g->stage, at.x, at.y - TICK, at.x, at.y + TICK);
+        figure(text, k * step, step);
+        stage_ink(g->stage, INK_TEXT);
+        if (k != 0 && fmodf(k, (float)n) == 0)
+            stage_text_middle(g->stage, at.x, at.y - g->bottom < 36 ? at.y + 14 : at.y - 32, text);
+    }
+}
+
+/* Left of the axis, or right of it where there is no room on the left. */
+static void y_axis(const struct graph *g, float step, float x0)
+{
+    char text[FIGURE];
+    struct ticks t = ticks(g->y_min, g->y_max, step);
+    for (int i = 0; i < t.count; i++) {
+        float k = t.first + (float)i;
+        struct point2 at = graph_place(g, (struct point2){x0, k * step});
+        stage_ink(g->stage, INK_GRID);
+        stage_line(g->stage, at.x - TICK, at.y, at.x + TICK, at.y);
+        stage_ink(g->stage, INK_TEXT);
+        float wide = (float)(figure(text, k * step, step) * STAGE_CHARACTER);
+        float left = at.x - TICK - 6 - wide;
+        if (k != 0)
+            stage_text(g->stage, left < g->left ? at.x + TICK + 6 : left, at.y - 8, text);
+    }
 }
 
 void graph_axes(const struct graph *g)
 {
-    enum { APART = 110, TICK = 6 };
     float step = round_step(APART / g->scale);
     float y0 = fminf(fmaxf(0, g->y_min), g->y_max), x0 = fminf(fmaxf(0, g->x_min), g->x_max);
     enum ink ink = g->stage->ink;
     stage_ink(g->stage, INK_GRID);
     graph_line(g, (struct point2){g->x_min, y0}, (struct point2){g->x_max, y0});
     graph_line(g, (struct point2){x0, g->y_min}, (struct point2){x0, g->y_max});
-    for (float k = ceilf(g->x_min / step + 0.2f); k * step < g->x_max - 0.2f * step; k++) {
-        struct point2 at = graph_place(g, (struct point2){k * step, y0});
-        stage_line(g->stage, at.x, at.y - TICK, at.x, at.y + TICK);
-        if (k != 0)
-            figure(g, (struct point2){at.x, at.y - 30}, k * step);
-    }
-    for (float k = ceilf(g->y_min / step + 0.2f); k * step < g->y_max - 0.2f * step; k++) {
-        struct point2 at = graph_place(g, (struct point2){x0, k * step});
-        stage_line(g->stage, at.x - TICK, at.y, at.x + TICK, at.y);
-        if (k != 0)
-            figure(g, (struct point2){at.x - 34, at.y - 8}, k * step);
-    }
+    x_axis(g, step, y0);
+    y_axis(g, step, x0);
     stage_ink(g->stage, ink);
 }

@@ -3,10 +3,11 @@
  *      world window ──(one scale for x and y)──▶ viewport on the stage
  *
  * Models:     window to viewport transformation; axes, ticks at 1, 2 or 5 times a power of ten, and
- *             their figures.
+ *             their figures, as many as stand clear of each other.
  * Units:      world: the caller's; viewport: stage units (stage.h).
  * Ownership:  plain value; the stage must outlive it.
- * Errors:     none: an empty window is widened.
+ * Errors:     none: an empty window, and one that floats cannot divide, is widened; points that are
+ *             not finite, or beyond 1e15, are not looked at.
  */
 #ifndef ROMS_STAGE_GRAPH_H
 #define ROMS_STAGE_GRAPH_H

@@ -8,7 +8,7 @@
  * Units:      pixels of the grid, y up. On the stage: stage units.
  * Ownership:  plain value; the stage must outlive it.
  * Errors:     none: what lies outside is left out. When cells would be smaller than a few dots the
- *             rules are left out, too.
+ *             rules are left out, too, and pixels are lines or dots on the vector head.
  */
 #ifndef ROMS_STAGE_GRID_H
 #define ROMS_STAGE_GRID_H
@@ -26,6 +26,8 @@ struct grid grid_fit(struct stage *stage, float left, float bottom, float width,
                      int x0, int y0, int x1, int y1);
 /* Rules, and the coordinates along the edges. */
 void grid_rules(const struct grid *grid);
+/* Whether cells are large enough for them. */
+bool grid_ruled(const struct grid *grid);
 void grid_pixel(const struct grid *grid, int x, int y, enum ink ink);
 /* Pixels x0…x1 of a row. */
 void grid_run(const struct grid *grid, int y, int x0, int x1, enum ink ink);

@@ -11,7 +11,7 @@ static struct point2 turned(struct point2 p, float c, float s)
 }
 
 /* Where edges cross the line, from left to right. */
-static int crossings(const struct point2 *p, int count, float y, float *at)
+static int crossed(const struct point2 *p, int count, float y, float *at)
 {
     int found = 0;
     for (int i = 0; i < count; i++) {
@@ -42,7 +42,7 @@ void hatch_area(struct stage *stage, const struct point2 *p, int count)
     low = fmaxf(low, -farthest);
     high = fminf(high, farthest);
     for (float k = ceilf(low / apart); k * apart < high; k++) {
-        int found = crossings(q, count, k * apart, at);
+        int found = crossed(q, count, k * apart, at);
         for (int i = 0; i + 1 < found; i += 2) {
             struct point2 a = turned((struct point2){at[i], k * apart}, c, -s);
             struct point2 b = turned((struct point2){at[i + 1], k * apart}, c, -s);

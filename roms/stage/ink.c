@@ -49,5 +49,7 @@ uint32_t ink_shade(enum ink_ramp ramp, float intensity)
 
 unsigned ink_intensity(enum ink ink)
 {
-    return inks[ink].intensity;
+    if (ink < INK_COUNT)
+        return inks[ink].intensity;
+    return ink < 16 ? 0 : (ink - 16u) % INK_LEVELS * 8 / INK_LEVELS; /* of a shade */
 }

@@ -41,7 +41,7 @@ enum { INK_LEVELS = 48, INK_ENTRIES = 256 };
 uint32_t ink_rgb(unsigned entry);
 /* The entry of a shade: intensity 0…1. */
 uint32_t ink_shade(enum ink_ramp ramp, float intensity);
-/* The intensity on the vector head, 0…7. */
+/* The intensity on the vector head, 0…7; of shades (ink_shade), too. */
 unsigned ink_intensity(enum ink ink);
 
 #endif

@@ -46,7 +46,7 @@ void panel_line(struct panel *p, enum ink ink, const char *text)
     snprintf(part, sizeof part, "%.*s", p->columns, text);
     stage_ink(p->stage, ink);
     p->line++;
-    stage_text(p->stage, p->left + EDGE, p->top - (float)(p->line * STAGE_TEXT_LINE) + 4, part);
+    stage_text(p->stage, p->left + EDGE, p->top - (float)(p->line * STAGE_TEXT_LINE) + 2, part);
     stage_ink(p->stage, before);
 }
 

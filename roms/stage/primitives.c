@@ -10,7 +10,7 @@ enum { MARKER = 7 /* half of a marker's arm, stage units */ };
 
 static const struct clip_window picture = {0, 0, STAGE_WIDTH, STAGE_HEIGHT};
 
-/* ---- lines -------------------------------------------------------------------------------------- */
+/* ---- lines ----------------------------------------------------------------------------------- */
 
 static void raster_line(struct stage *s, struct point2 a, struct point2 b)
 {
@@ -47,7 +47,7 @@ static void solid(struct stage *s, unsigned heads, struct point2 a, struct point
         vector_line(s, a, b, STAGE_SOLID);
 }
 
-/* ---- broken lines --------------------------------------------------------------------------------- */
+/* ---- broken lines ---------------------------------------------------------------------------- */
 
 enum { DASHES = 4, LONGEST_PERIOD = 32 };
 #define SHORTEST_DASH 0.01f /* what rounding leaves of one is not drawn alone */
@@ -100,14 +100,16 @@ static bool breaks_itself(const struct stage *s, struct point2 a, struct point2 
 void stage_line(struct stage *s, float x0, float y0, float x1, float y1)
 {
     struct point2 a = {x0, y0}, b = {x1, y1};
-    if (!device_sane(a) || !device_sane(b) || !clip_liang_barsky(&picture, &a, &b))
-        return;
-    a = device_inside(a);
-    b = device_inside(b);
+    if (!clip_point(&picture, a) || !clip_point(&picture, b)) { /* most lines lie within */
+        if (!device_sane(a) || !device_sane(b) || !clip_liang_barsky(&picture, &a, &b))
+            return;
+        a = device_inside(a);
+        b = device_inside(b);
+    }
     if (s->line_type == STAGE_SOLID) {
         solid(s, s->heads, a, b);
     } else if ((s->heads & STAGE_VECTOR) && breaks_itself(s, a, b)) {
-        vector_line(s, a, b, s->line_type);
+        vector_line(s, a, b, (int)s->line_type);
         broken(s, s->heads & STAGE_RASTER, a, b);
     } else {
         broken(s, s->heads, a, b);
@@ -133,7 +135,7 @@ void stage_rectangle(struct stage *s, float x, float y, float width, float heigh
     stage_polygon(s, corners, 4);
 }
 
-/* ---- areas -------------------------------------------------------------------------------------- */
+/* ---- areas ----------------------------------------------------------------------------------- */
 
 /* An upright rectangle, which many areas are, has a short cut to the same pixels. */
 static bool upright(const struct point2 *p, int count)
@@ -183,7 +185,7 @@ void stage_area(struct stage *s, const struct point2 *p, int count)
     stage_heads(s, heads);
 }
 
-/* ---- markers ------------------------------------------------------------------------------------ */
+/* ---- markers --------------------------------------------------------------------------------- */
 
 void stage_marker(struct stage *s, float x, float y)
 {

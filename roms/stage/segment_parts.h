@@ -18,7 +18,7 @@ struct segment_primitive {
     int count;
 };
 
-/* ---- records -------------------------------------------------------------------------------------- */
+/* ---- records --------------------------------------------------------------------------------- */
 
 void segment_records_begin(struct segments *s);
 enum segment_status segment_records_add(struct segments *s, struct segment *g,
@@ -31,7 +31,7 @@ bool segment_primitive_next(const struct segments *s, const struct segment *g, i
 /* All of it with the stage's primitives. */
 void segment_replay(const struct segments *s, const struct segment *g, struct stage *stage);
 
-/* ---- words ---------------------------------------------------------------------------------------- */
+/* ---- words ----------------------------------------------------------------------------------- */
 
 /* The words of `changed`, which is to stand for the i-th one, in place of that one's; or none, when
  * it is not visible. *changed then knows them. */
@@ -41,7 +41,7 @@ enum segment_status segment_words_remove(struct segments *s, int i);
 /* Display memory is this store's, with all its segments. */
 void segment_words_take(struct segments *s);
 
-/* ---- pixels --------------------------------------------------------------------------------------- */
+/* ---- pixels ---------------------------------------------------------------------------------- */
 
 struct segment_box segment_raster_box(const struct segments *s, const struct segment *g);
 /* Is to be drawn anew there. */

@@ -1,5 +1,5 @@
-/* segment_raster.c — segments on the raster head: where they are, what is to be drawn anew; and what is
- * at a place, for picking. */
+/* segment_raster.c — segments on the raster head: where they are, what is to be drawn anew; and
+ * what is at a place, for picking. */
 #include <math.h>
 #include <string.h>
 
@@ -9,7 +9,7 @@
 /* Beyond its points a segment reaches by a marker's arm, or the height of a line of text. */
 enum { REACH = 10, TEXT_REACH = 2 * STAGE_TEXT_LINE };
 
-/* ---- boxes ---------------------------------------------------------------------------------------------- */
+/* ---- boxes ----------------------------------------------------------------------------------- */
 
 static bool is_empty(struct segment_box b)
 {
@@ -65,9 +65,10 @@ struct segment_box segment_raster_box(const struct segments *s, const struct seg
         for (int i = 0; i < p.count; i++) {
             if (!device_sane(p.at[i]))
                 continue;
-            low = (struct point2){fminf(low.x, p.at[i].x - reach), fminf(low.y, p.at[i].y - reach)};
-            high = (struct point2){fmaxf(high.x, p.at[i].x + right + reach),
-                                   fmaxf(high.y, p.at[i].y + reach)};
+            struct point2 a = {p.at[i].x - reach, p.at[i].y - reach};
+            struct point2 b = {p.at[i].x + right + reach, p.at[i].y + reach};
+            low = (struct point2){a.x < low.x ? a.x : low.x, a.y < low.y ? a.y : low.y};
+            high = (struct point2){b.x > high.x ? b.x : high.x, b.y > high.y ? b.y : high.y};
         }
     }
     return low.x > high.x ? (struct segment_box){0} : covered(s, low, high);
@@ -79,7 +80,7 @@ void segment_raster_damage(struct segments *s, struct segment_box box)
         s->damage[page] = join(s->damage[page], box);
 }
 
-/* ---- drawing -------------------------------------------------------------------------------------------- */
+/* ---- drawing --------------------------------------------------------------------------------- */
 
 static void draw_within(struct segments *s, struct segment_box box)
 {
@@ -129,7 +130,6 @@ static void copy_page(struct segments *s, int page)
     const struct canvas *from = &s->stage->page[1 - page], *to = &s->stage->page[page];
     if (from->height > 0 && from->pixels != to->pixels)
         memcpy(to->pixels, from->pixels, from->pitch * (uint32_t)from->height);
-    s->damage[page] = s->damage[1 - page];
     s->copy[page] = false;
 }
 
@@ -148,10 +148,11 @@ bool segments_redraw(struct segments *s)
     }
     s->damage[page] = (struct segment_box){0};
     stage_page_end(s->stage);
+    s->pictures = s->stage->pictures;
     return true;
 }
 
-/* ---- picking --------------------------------------------------------------------------------------------- */
+/* ---- picking --------------------------------------------------------------------------------- */
 
 static float distance_to_line(struct point2 p, struct point2 a, struct point2 b)
 {

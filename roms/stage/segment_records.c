@@ -103,12 +103,30 @@ static void draw(struct stage *stage, const struct segment_primitive *p)
     }
 }
 
+/* A bright area would hide what is drawn on it: its outline is bright. */
+static void draw_highlighted(struct stage *stage, struct segment_primitive *p)
+{
+    unsigned heads = stage->heads;
+    stage_heads(stage, heads & STAGE_RASTER);
+    stage_ink(stage, p->record->ink);
+    draw(stage, p);
+    stage_heads(stage, heads);
+    stage_ink(stage, INK_BRIGHT);
+    if (p->record->kind == SEGMENT_AREA)
+        stage_polygon(stage, p->at, p->count);
+    else
+        draw(stage, p);
+}
+
 void segment_replay(const struct segments *s, const struct segment *g, struct stage *stage)
 {
     struct segment_primitive p;
     for (int record = g->first; segment_primitive_next(s, g, &record, &p);) {
-        stage_ink(stage, g->highlight == SEGMENT_NORMAL ? p.record->ink : INK_BRIGHT);
         stage_line_type(stage, p.record->type);
-        draw(stage, &p);
+        stage_ink(stage, p.record->ink);
+        if (g->highlight == SEGMENT_NORMAL)
+            draw(stage, &p);
+        else
+            draw_highlighted(stage, &p);
     }
 }

@@ -1,9 +1,10 @@
-/* segment_words.c — the words of segments in display memory: written, chained by jumps, and freed. */
+/* segment_words.c — the words of segments in display memory: written, chained by jumps, and
+ * freed. */
 #include "roms/bsp/dpu.h"
 #include "roms/stage/segment_parts.h"
 
-/* The area begins with the root, a jump to the first segment, and the end, which undoes what segments
- * have set and jumps back. */
+/* The area begins with the root, a jump to the first segment, and the end, which undoes what
+ * segments have set and jumps back. */
 enum { ROOT_BYTES = 4, END_BYTES = 6, FIXED_BYTES = ROOT_BYTES + END_BYTES, LONGEST_WAIT = 100000 };
 
 /* All that a mode word can set, so that a segment does not depend on the one before it. */
@@ -19,7 +20,7 @@ static void lead(uint32_t jump_end, uint32_t to)
     dpu_memory()[(jump_end - 2) / 2] = (uint16_t)to;
 }
 
-/* ---- the chain ------------------------------------------------------------------------------------ */
+/* ---- the chain ------------------------------------------------------------------------------- */
 
 /* The end of the jump before the i-th segment's place. */
 static uint32_t jump_before(const struct segments *s, int i)
@@ -39,7 +40,7 @@ static uint32_t next_of(const struct segments *s, int i)
     return end_of(s);
 }
 
-/* ---- memory that is left ----------------------------------------------------------------------------- */
+/* ---- memory that is left --------------------------------------------------------------------- */
 
 /* No jump of the chain leads into these any more, but they may lead into each other: they are free
  * together, at a moment when the display processor is in none of them. */
@@ -55,7 +56,7 @@ void segments_release(struct segments *s)
 }
 
 /* A refresh at most; for ever if somebody has stopped the display processor there: then not. */
-static void wait_until_left(struct segments *s)
+void segments_settle(struct segments *s)
 {
     for (int i = 0; i < LONGEST_WAIT && s->leaving_count > 0; i++)
         segments_release(s);
@@ -66,7 +67,7 @@ static bool may_leave(struct segments *s)
 {
     segments_release(s);
     if (s->leaving_count == SEGMENTS_LEAVING)
-        wait_until_left(s);
+        segments_settle(s);
     return s->leaving_count < SEGMENTS_LEAVING;
 }
 
@@ -76,7 +77,7 @@ static void leave(struct segments *s, const struct segment *g)
         s->leaving[s->leaving_count++] = (struct extent){g->at, g->bytes};
 }
 
-/* ---- words ---------------------------------------------------------------------------------------- */
+/* ---- words ----------------------------------------------------------------------------------- */
 
 /* What a segment begins with. */
 static uint16_t setting(const struct segment *g)
@@ -123,7 +124,7 @@ static bool place_somehow(struct segments *s, int i, struct segment *g)
 {
     if (place(s, i, g))
         return true;
-    wait_until_left(s);
+    segments_settle(s);
     if (place(s, i, g))
         return true;
     if (s->free.holes < 2)
@@ -164,7 +165,7 @@ enum segment_status segment_words_remove(struct segments *s, int i)
     return SEGMENT_OK;
 }
 
-/* ---- moving together ---------------------------------------------------------------------------------- */
+/* ---- moving together ------------------------------------------------------------------------- */
 
 static void move(struct segments *s, int i, uint32_t to)
 {
@@ -177,7 +178,7 @@ static void move(struct segments *s, int i, uint32_t to)
     leave(s, g);
     lead(jump_before(s, i), to);
     g->at = to;
-    wait_until_left(s);
+    segments_settle(s);
 }
 
 static int segment_above(const struct segments *s, const struct extent *hole)
@@ -188,11 +189,11 @@ static int segment_above(const struct segments *s, const struct extent *hole)
     return -1;
 }
 
-/* The segment above the lowest hole goes down into it; one that is too large goes out of the way first,
- * which makes the hole larger than it: so this ends. */
+/* The segment above the lowest hole goes down into it; one that is too large goes out of the way
+ * first, which makes the hole larger than it: so this ends. */
 void segments_compact(struct segments *s)
 {
-    wait_until_left(s);
+    segments_settle(s);
     for (int rounds = 0; rounds < 4 * SEGMENTS_MOST && s->free.holes > 0; rounds++) {
         struct extent hole = s->free.hole[0];
         int i = segment_above(s, &hole), k = s->free.holes - 1;
@@ -211,9 +212,10 @@ void segments_compact(struct segments *s)
     }
 }
 
-/* ---- taking display memory ------------------------------------------------------------------------------ */
+/* ---- taking display memory ------------------------------------------------------------------- */
 
-/* The last picture may still lead here: to the end, which is always the same words at the same place. */
+/* The last picture may still lead here: to the end, which is always the same words at the same
+ * place. */
 static void clear(struct segments *s)
 {
     volatile uint16_t *end = dpu_memory() + end_of(s) / 2, *root = dpu_memory() + s->low / 2;
@@ -235,7 +237,7 @@ void segment_words_take(struct segments *s)
         return;
     s->stage->tenant = s;
     clear(s);
-    wait_until_left(s);
+    segments_settle(s);
     for (int i = 0; i < s->count; i++)
         s->table[i].at = s->table[i].bytes = 0;
     for (int i = 0; i < s->count; i++) {

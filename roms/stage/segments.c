@@ -55,7 +55,7 @@ const struct segment *segment_find(const struct segments *s, int name)
     return i < 0 ? NULL : &s->table[i];
 }
 
-/* ---- making and deleting ------------------------------------------------------------------------------ */
+/* ---- making and deleting --------------------------------------------------------------------- */
 
 enum segment_status segment_create(struct segments *s, int name)
 {
@@ -126,7 +126,7 @@ enum segment_status segment_rename(struct segments *s, int name, int to)
     return SEGMENT_OK;
 }
 
-/* ---- primitives ---------------------------------------------------------------------------------------- */
+/* ---- primitives ------------------------------------------------------------------------------ */
 
 static struct segment_record attributes(const struct segments *s, enum segment_kind kind)
 {
@@ -153,7 +153,7 @@ enum segment_status segment_put_text(struct segments *s, struct point2 at, const
     return segment_records_add(s, &s->table[s->open], &like, &at, 1);
 }
 
-/* ---- attributes ---------------------------------------------------------------------------------------- */
+/* ---- attributes ------------------------------------------------------------------------------ */
 
 enum segment_status segment_set_visible(struct segments *s, int name, bool visible)
 {

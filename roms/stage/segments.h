@@ -1,27 +1,33 @@
-/* segments.h — a segmented display file: parts of a picture that are made, moved and deleted by name.
+/* segments.h — a segmented display file: parts of a picture that are made, moved and deleted by
+ * name.
  *
  *      stage's picture ──▶ root ─▶ segment 1 ─▶ segment 4 ─▶ segment 7 ─▶ end ──▶ wait for the tick
  *                          jump    words, jump  words, jump  words, jump
  *
- *      segment 4 is to change: its new words are written where memory is free, one store leads segment
- *      1's jump to them, and the old words are free when the display processor has left them
+ *      segment 4 is to change: its new words are written where memory is free, one store leads
+ *      segment 1's jump to them, and the old words are free when the display processor has left
+ *      them
  *
- * Models:     segments as graphics packages have them (SIGGRAPH Core 1977; GKS, ISO 7942): created, closed,
- *             deleted, renamed; visibility, highlighting, detectability, image transformation, pick
- *             identifiers. The VT11 cannot transform or call: primitives are kept, and turned into
- *             words anew, clipped and chained by the stage (stage.h). Memory that segments leave is
- *             used again; when it lies in pieces too small, segments are moved together.
- * Time:       any refresh shows each segment wholly as it was or wholly as it is. On the raster head
- *             what changed is drawn anew on the page that is not shown.
- * Domain:     at most SEGMENTS_MOST segments of SEGMENT_RECORDS records together: a record is 6 points
- *             of a primitive, or a text. Names 1…SEGMENT_NAME_MOST.
+ * Models:     segments as graphics packages have them (SIGGRAPH Core 1977; GKS, ISO 7942): created,
+ *             closed, deleted, renamed; visibility, highlighting, detectability, image
+ *             transformation, pick identifiers. The VT11 cannot transform or call: primitives are
+ *             kept, and turned into words anew, clipped and chained by the stage (stage.h). Memory
+ *             that segments leave is used again; when it lies in pieces too small, segments are
+ *             moved together.
+ * Time:       any refresh shows each segment wholly as it was or wholly as it is. On the raster
+ *             head what changed is drawn anew on the page that is not shown.
+ * Domain:     at most SEGMENTS_MOST segments of SEGMENT_RECORDS records together: a record is 6
+ *             points of a primitive, or a text. Names 1…SEGMENT_NAME_MOST.
  * Units:      stage units; display addresses and lengths in bytes.
- * Ownership:  the store is the caller's; the stage must outlive it. Display memory from STAGE_FREE_LOW on
- *             is that of the store that used it last; another takes it back, and its segments with it.
- * Errors:     a status and a sentence for it; what fails changes nothing, and loses nothing. A segment
- *             whose words find no room stays as it was; one that was just made stays open.
- * Source:     W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics (1979), ch. 7 and 8.
- * Not modelled: priority: later segments lie over earlier ones. Transformed characters: their place is.
+ * Ownership:  the store is the caller's; the stage must outlive it. Display memory from
+ *             STAGE_FREE_LOW on is that of the store that used it last; another takes it back, and
+ *             its segments with it.
+ * Errors:     a status and a sentence for it; what fails changes nothing, and loses nothing. A
+ *             segment whose words find no room stays as it was; one that was just made stays open.
+ * Source:     W. M. Newman, R. F. Sproull, Principles of Interactive Computer Graphics (1979),
+ *             chapters 7 and 8.
+ * Not modelled: priority: later segments lie over earlier ones. Characters are not
+ *             transformed, their place is.
  */
 #ifndef ROMS_STAGE_SEGMENTS_H
 #define ROMS_STAGE_SEGMENTS_H
@@ -33,7 +39,7 @@
 enum {
     SEGMENTS_MOST = 64,
     SEGMENTS_LEAVING = 64,
-    SEGMENT_RECORDS = 4096,
+    SEGMENT_RECORDS = 2048,
     SEGMENT_RECORD_POINTS = 6,
     SEGMENT_POINTS = STAGE_AREA_CORNERS, /* of a primitive */
     SEGMENT_TEXT = 40,                   /* characters of one */
@@ -107,7 +113,7 @@ struct segments {
     int leaving_count;
     struct segment_record record[SEGMENT_RECORDS];
     int free_record;
-    uint32_t pictures;            /* of the stage, when they were drawn on it */
+    unsigned pictures;            /* of the stage, when they were drawn on it */
     struct segment_box damage[2]; /* of the pages */
     bool copy[2];                 /* the page is to be made like the other first */
 };
@@ -144,15 +150,18 @@ const struct segment *segment_find(const struct segments *s, int name);
 const struct segment *segment_at(const struct segments *s, struct point2 place, float aperture,
                                  int *pick);
 
-/* Moves segments together, so that what is free is in one piece; as far as there is room to do so. */
+/* Moves segments together, so that what is free is in one piece; as far as there is room to do
+ * so. */
 void segments_compact(struct segments *s);
 /* Frees what the display processor has left; it is tried whenever room is needed, too. */
 void segments_release(struct segments *s);
+/* Waits until all that was left is free: a refresh at most. */
+void segments_settle(struct segments *s);
 
 /* Between stage_begin and stage_end: this picture shows the segments. */
 void segments_draw(struct segments *s);
-/* Brings the raster head up to date when the stage still shows the picture that segments_draw was in;
- * else false. The vector head is up to date always. */
+/* Brings the raster head up to date when the stage still shows the picture that segments_draw was
+ * in; else false. The vector head is up to date always. */
 bool segments_redraw(struct segments *s);
 
 #endif

@@ -7,15 +7,16 @@
 #include "roms/bsp/dpu.h"
 #include "roms/bsp/video.h"
 #include "roms/raster/font.h"
+#include "roms/stage/device.h"
+#include "roms/stage/prompt.h"
 
 /* VESA DMT 04h: pixels that a class can see. */
 static const struct video_timing vga = {25175000, 640, 656, 752, 800, 480, 490, 492, 525, 0};
 
 enum {
-    HEAD_UNITS = 1024,
-    MESSAGE_BYTES = 64,             /* kept in a part for saying that it is full */
-    TITLE_ROWS = 2 * FONT_HEIGHT,   /* above the picture, of a screen of 480 rows */
-    CAPTION_ROWS = 3 * FONT_HEIGHT, /* below */
+    MESSAGE_BYTES = 64,                 /* kept in a part for saying that it is full */
+    TITLE_ROWS = 2 * FONT_HEIGHT,       /* above the picture, of a screen of 480 rows */
+    CAPTION_ROWS = 4 * FONT_HEIGHT + 4, /* below, with the prompt */
 };
 
 static uint32_t part(int number)
@@ -34,7 +35,7 @@ static void place_picture(struct stage *stage)
     /* A multiple of 4, as canvases begin: stage_picture. */
     stage->left = 4 * floorf(((float)c->width - stage->dots * STAGE_WIDTH) / 8);
     stage->bottom = floorf((float)(scale * TITLE_ROWS) + (rows + stage->dots * STAGE_HEIGHT) / 2);
-    stage->units = (float)HEAD_UNITS / STAGE_WIDTH;
+    stage->units = (float)DEVICE_UNITS / STAGE_WIDTH;
 }
 
 static void open_raster(struct stage *stage)
@@ -55,6 +56,7 @@ static void open_vector(struct stage *stage)
     struct display d;
     display_begin(&d, 0, STAGE_PART_LOW);
     display_sync(&d);
+    stage->prompt = stage_prompt_begin(&d);
     display_jump(&d, part(0));
     stage->patch = d.at - 2;
     display_begin(&d, part(0), part(1));
@@ -72,7 +74,7 @@ void stage_open(struct stage *stage)
     display_begin(&stage->display, part(1), part(1)); /* takes nothing before stage_begin */
 }
 
-/* ---- pictures ----------------------------------------------------------------------------------- */
+/* ---- pictures -------------------------------------------------------------------------------- */
 
 /* The page that was given is on the screen: the other one may be written. */
 static void wait_for_page(const struct stage *stage)
@@ -120,21 +122,43 @@ static void say_full(struct stage *stage)
     stage->display.full = false;
     stage->display.end += MESSAGE_BYTES;
     display_intensity(&stage->display, ink_intensity(INK_RED));
-    display_text(&stage->display, 8, HEAD_UNITS / 8, text);
+    display_text(&stage->display, 8, DEVICE_UNITS / 8, text);
     stage_picture(stage, &left, &top);
     canvas_fill(&stage->canvas, left, top, FONT_WIDTH * 22, FONT_HEIGHT, INK_BLACK);
     canvas_text(&stage->canvas, left, top, 1, 1, INK_RED, text);
+}
+
+/* The count after the store: a retrace between the two is one too many, and only waited for
+ * again. */
+static void show_page(struct stage *stage)
+{
+    stage->page_shown = 1 - stage->page_shown;
+    stage_prompt_draw(stage, &stage->page[stage->page_shown]);
+    video_show(&stage->page[stage->page_shown]);
+    stage->flipped = video_retraces();
+    stage->pictures++;
+}
+
+static void show_part(struct stage *stage)
+{
+    stage->part_shown = 1 - stage->part_shown;
+    dpu_memory()[stage->patch / 2] = (uint16_t)part(stage->part_shown);
 }
 
 void stage_end(struct stage *stage)
 {
     if (stage->display.full)
         say_full(stage);
-    stage->part_shown = 1 - stage->part_shown;
     display_jump(&stage->display, stage->chain);
-    dpu_memory()[stage->patch / 2] = (uint16_t)part(stage->part_shown);
-    stage->pictures++;
-    stage_page_end(stage);
+    show_part(stage);
+    show_page(stage);
+}
+
+void stage_flip(struct stage *stage)
+{
+    wait_for_page(stage);
+    show_part(stage);
+    show_page(stage);
 }
 
 void stage_chain(struct stage *stage, uint32_t address)
@@ -148,15 +172,12 @@ void stage_page_begin(struct stage *stage)
     stage->canvas = stage->page[1 - stage->page_shown];
 }
 
-/* The count after the store: a retrace between the two is one too many, and only waited for again. */
 void stage_page_end(struct stage *stage)
 {
-    stage->page_shown = 1 - stage->page_shown;
-    video_show(&stage->canvas);
-    stage->flipped = video_retraces();
+    show_page(stage);
 }
 
-/* ---- what primitives are drawn with ---------------------------------------------------------------- */
+/* ---- what primitives are drawn with ---------------------------------------------------------- */
 
 void stage_heads(struct stage *stage, unsigned heads)
 {
@@ -184,7 +205,7 @@ void stage_hatch(struct stage *stage, float degrees, float apart)
     stage->hatch_apart = apart;
 }
 
-/* ---- where places are ------------------------------------------------------------------------------ */
+/* ---- where places are ------------------------------------------------------------------------ */
 
 struct canvas stage_picture(const struct stage *stage, int *left, int *top)
 {
@@ -219,5 +240,5 @@ float stage_head_x(const struct stage *stage, float x)
 
 float stage_head_y(const struct stage *stage, float y)
 {
-    return (HEAD_UNITS - STAGE_HEIGHT * stage->units) / 2 + y * stage->units;
+    return (DEVICE_UNITS - STAGE_HEIGHT * stage->units) / 2 + y * stage->units;
 }

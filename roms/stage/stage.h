@@ -6,19 +6,20 @@
  *      │     picture, stage units      │      one store
  *      │                               │
  *      │ (0,0)                (1200,0) │      what is drawn between stage_begin and stage_end is
- *      └─────────── caption ───────────┘      shown whole or not at all
+ *      └────── caption, prompt ────────┘      shown whole or not at all; the prompt at once
  *
- * Models:     the output primitives of graphics packages: polyline, marker, fill area, text (ISO 7942,
- *             GKS), with a driver for each head: into pixels by scan conversion (roms/raster), into
- *             display-file words (roms/bsp/display.h). Lines are clipped to the picture.
+ * Models:     the output primitives of graphics packages: polyline, marker, fill area, text (ISO
+ *             7942, GKS), with a driver for each head: into pixels by scan conversion
+ *             (roms/raster), into display-file words (roms/bsp/display.h). Lines are clipped to the
+ *             picture.
  * Units:      stage units: 1200 across, 800 up, origin bottom left, y up; square on both heads.
- * Ownership:  plain value, one for the program; it has the whole refresh buffer, the look-up table and
- *             display memory.
- * Errors:     a head that is not there takes everything and keeps nothing. Words that do not fit into
- *             display memory are left out; stage_full tells, and so does the picture. Places that are
- *             not finite, or beyond a million, are left out.
- * Not modelled: areas on the vector head: their outline is drawn, hatched when asked. Display memory of
- *             less than 64 KiB.
+ * Ownership:  plain value, one for the program; it has the whole refresh buffer, the look-up table
+ *             and display memory.
+ * Errors:     a head that is not there takes everything and keeps nothing. Words that do not fit
+ *             into display memory are left out; stage_full tells, and so does the picture. Places
+ *             that are not finite, or beyond a million, are left out.
+ * Not modelled: areas on the vector head: their outline is drawn, hatched when asked. Display
+ *             memory of less than 64 KiB; tubes of fewer than 1024 units up (VR14 cuts the title).
  */
 #ifndef ROMS_STAGE_STAGE_H
 #define ROMS_STAGE_STAGE_H
@@ -32,6 +33,7 @@
 #include "roms/stage/ink.h"
 
 enum { STAGE_WIDTH = 1200, STAGE_HEIGHT = 800 };
+enum { STAGE_PROMPT = 70 }; /* characters of a prompt, at most */
 enum { STAGE_RASTER = 1, STAGE_VECTOR = 2, STAGE_BOTH = 3 };
 /* As the VT11 has them: the same on both heads. */
 enum stage_line_type {
@@ -48,7 +50,7 @@ enum { STAGE_AREA_CORNERS = 128 };
 /* Display memory: the pictures that stage_begin and stage_end make, then room for display files of
  * others (stage_chain); byte addresses. */
 enum {
-    STAGE_PART_LOW = 0x0010,
+    STAGE_PART_LOW = 0x0100, /* before it: wait for the tick, prompt, jump to the part shown */
     STAGE_PART_BYTES = 0x6000,
     STAGE_FREE_LOW = STAGE_PART_LOW + 2 * STAGE_PART_BYTES,
     STAGE_FREE_HIGH = 0x10000
@@ -59,19 +61,21 @@ struct stage {
     struct display display; /* the words that are being written */
     unsigned heads;         /* those that the primitives go to, STAGE_… */
     enum ink ink;
+    unsigned pictures; /* that were shown */
     enum stage_line_type line_type;
     float hatch_degrees, hatch_apart; /* of areas on the vector head; 0 apart: none */
     /* Private. */
     struct canvas page[2];
     float left, bottom,
-        dots;       /* of the picture on the canvas: dots, rows from the top; dots a unit */
-    float units;    /* head units a stage unit */
-    uint32_t patch; /* where the display file jumps to the part that is shown */
-    uint32_t chain; /* where the part goes on; 0: nowhere */
+        dots;        /* of the picture on the canvas: dots, rows from the top; dots a unit */
+    float units;     /* head units a stage unit */
+    uint32_t patch;  /* where the display file jumps to the part that is shown */
+    uint32_t chain;  /* where the part goes on; 0: nowhere */
+    uint32_t prompt; /* where the prompt's characters are */
+    char prompted[STAGE_PROMPT + 1];
     int page_shown, part_shown;
     uint32_t flipped;       /* retraces when the page was given */
-    uint32_t pictures;      /* ended so far */
-    bool full;              /* the last one */
+    bool full;              /* the last picture */
     const void *tenant;     /* whose display files are in STAGE_FREE_LOW… */
     int intensity, type;    /* as the words before have them; -1: not known */
     struct point2 dash_end; /* of the broken line before, which the next may go on with */
@@ -95,6 +99,12 @@ void stage_chain(struct stage *stage, uint32_t address);
 void stage_page_begin(struct stage *stage);
 void stage_page_end(struct stage *stage);
 
+/* Shows the picture before the last one again, and takes this one back into store. */
+void stage_flip(struct stage *stage);
+
+/* A line under every picture, shown at once: what is being typed. */
+void stage_prompt(struct stage *stage, const char *text);
+
 /* The heads that primitives go to from now on; stage_begin: both. */
 void stage_heads(struct stage *stage, unsigned heads);
 void stage_ink(struct stage *stage, enum ink ink);
@@ -112,13 +122,14 @@ void stage_rectangle(struct stage *stage, float x, float y, float width, float h
 /* A small cross. */
 void stage_marker(struct stage *stage, float x, float y);
 void stage_dot(struct stage *stage, float x, float y);
-/* Base line begins at x, y; about x. Characters beyond the picture's left and right edge are left out;
- * a line that sticks out above or below is moved in. */
+/* Base line begins at x, y; about x. Characters beyond the picture's left and right edge are left
+ * out; a line that sticks out above or below is moved in. */
 void stage_text(struct stage *stage, float x, float y, const char *text);
 void stage_text_middle(struct stage *stage, float x, float y, const char *text);
 void stage_number(struct stage *stage, float x, float y, float value, int decimals);
 
-/* Above and below the picture. A caption is broken into at most STAGE_CAPTION_LINES lines at spaces. */
+/* Above and below the picture. A caption is broken into at most STAGE_CAPTION_LINES lines at
+ * spaces. */
 enum { STAGE_CAPTION_LINES = 2 };
 void stage_title(struct stage *stage, const char *text);
 void stage_caption(struct stage *stage, const char *text);

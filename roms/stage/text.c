@@ -5,7 +5,7 @@
 #include "roms/raster/font.h"
 #include "roms/stage/device.h"
 
-enum { LONGEST = 128, HEAD_UNITS = 1024, ASCENT = 14 /* of a character, head units */ };
+enum { LONGEST = 128, ASCENT = 14, DESCENT = 4 /* of a character, head units */ };
 
 /* Pixels a dot of the font. */
 static int font_scale(const struct stage *s)
@@ -13,7 +13,7 @@ static int font_scale(const struct stage *s)
     return s->page[0].height >= 900 ? 2 : 1;
 }
 
-/* ---- in the picture ---------------------------------------------------------------------------------- */
+/* ---- in the picture -------------------------------------------------------------------------- */
 
 /* Of a line of text that begins at *x, what lies within low…high; moves *x to it. */
 static void cut(const char *text, int *x, int advance, int low, int high, char part[LONGEST])
@@ -47,7 +47,7 @@ static void raster_text(struct stage *s, float x, float y, const char *text)
     struct canvas c = stage_picture(s, &left, &top);
     int at = device_dot(s, x), row = device_row(s, y) - (FONT_HEIGHT - 2) * scale;
     cut(text, &at, FONT_WIDTH * scale, left, left + c.width, part);
-    if (level(&row, (FONT_HEIGHT - 2) * scale, top, top + c.height))
+    if (level(&row, FONT_HEIGHT * scale, top, top + c.height))
         canvas_text(&s->canvas, at, row, scale, scale, s->ink, part);
 }
 
@@ -55,7 +55,7 @@ static void vector_text(struct stage *s, float x, float y, const char *text)
 {
     char part[LONGEST];
     int at = device_head_x(s, x), base = device_head_y(s, y);
-    cut(text, &at, DEVICE_CHARACTER, 0, HEAD_UNITS, part);
+    cut(text, &at, DEVICE_CHARACTER, 0, DEVICE_UNITS, part);
     if (level(&base, ASCENT, device_head_y(s, 0), device_head_y(s, STAGE_HEIGHT)) &&
         part[0] != '\0')
         display_text(&s->display, at, base, part);
@@ -91,7 +91,7 @@ void stage_number(struct stage *s, float x, float y, float value, int decimals)
     stage_text(s, x, y, text);
 }
 
-/* ---- above and below --------------------------------------------------------------------------------- */
+/* ---- above and below ------------------------------------------------------------------------- */
 
 /* Around the picture: in an ink of its own, on both heads. */
 static void around(struct stage *s, enum ink ink)
@@ -110,7 +110,7 @@ void stage_title(struct stage *s, const char *text)
     canvas_text_middle(&s->canvas, s->canvas.width / 2, twice > scale ? 0 : 6 * scale, twice, twice,
                        INK_BRIGHT, text);
     around(s, INK_BRIGHT);
-    display_text(&s->display, (HEAD_UNITS - length * DEVICE_CHARACTER) / 2, 960, text);
+    display_text(&s->display, (DEVICE_UNITS - length * DEVICE_CHARACTER) / 2, 960, text);
     stage_ink(s, ink);
 }
 
@@ -144,14 +144,15 @@ static void caption_lines(struct stage *s, const char *text, int room,
 
 static void raster_caption(struct stage *s, int line, const char *text)
 {
-    int scale = font_scale(s), from_bottom = (STAGE_CAPTION_LINES - line) * (FONT_HEIGHT + 1) + 2;
+    int scale = font_scale(s),
+        from_bottom = (STAGE_CAPTION_LINES - line) * (FONT_HEIGHT + 1) + FONT_HEIGHT + 4;
     canvas_text_middle(&s->canvas, s->canvas.width / 2, s->canvas.height - scale * from_bottom,
                        scale, scale, INK_TEXT, text);
 }
 
 static void vector_caption(struct stage *s, int line, const char *text)
 {
-    display_text(&s->display, (HEAD_UNITS - (int)strlen(text) * DEVICE_CHARACTER) / 2,
+    display_text(&s->display, (DEVICE_UNITS - (int)strlen(text) * DEVICE_CHARACTER) / 2,
                  90 - 40 * line, text);
 }
 
@@ -161,6 +162,6 @@ void stage_caption(struct stage *s, const char *text)
     enum ink ink = s->ink;
     caption_lines(s, text, s->canvas.width / (FONT_WIDTH * font_scale(s)) - MARGIN, raster_caption);
     around(s, INK_TEXT);
-    caption_lines(s, text, HEAD_UNITS / DEVICE_CHARACTER - MARGIN, vector_caption);
+    caption_lines(s, text, DEVICE_UNITS / DEVICE_CHARACTER - MARGIN, vector_caption);
     stage_ink(s, ink);
 }

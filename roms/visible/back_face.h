@@ -6,13 +6,13 @@
  *          front   └──┘  back                           └─▶ │   plane
  *
  * The sign of D does not do: with the origin within the solid and normals outward, D < 0 for every
- * polygon, whichever way it looks. D says on which side of the plane the origin is, and the origin is
- * not the eye.
+ * polygon, whichever way it looks. D says on which side of the plane the origin is, and the origin
+ * is not the eye.
  *
  * Models:     the tests for closed solids; a convex one alone needs nothing else.
  * Cost:       3 multiplications, 2 additions, a comparison.
- * Domain:     normals outward; V from the eye into the scene. Edge-on (V · N = 0) is no back face; it
- *             shows nothing.
+ * Domain:     normals outward; V from the eye into the scene. Edge-on (V · N = 0) is no back face;
+ *             it shows nothing.
  * Units:      the caller's.
  * Ownership:  plain values.
  * Errors:     none.

@@ -7,9 +7,11 @@
  * z <= 0.
  *
  * Models:     larger z is nearer; of equal depths the one drawn first stays.
- * Cost:       9 instructions a pixel that is hidden, 11 one that is shown (8 bits a pixel); about 45 a
- *             row; about 60 an edge.
- * Domain:     convex surfaces in any order, which may pierce one another; canvas and buffer of one size.
+ * Cost:       7 instructions a pixel that is hidden, 9 one that is shown (8 bits a pixel), about 45
+ *             a row and 500 a surface: 9.4 a pixel for a box of 77 000 pixels, 15 for a ball of 256
+ *             surfaces.
+ * Domain:     convex surfaces in any order, which may pierce one another; canvas and buffer of one
+ *             size.
  * Units:      pixels, y downwards.
  * Ownership:  nothing.
  * Errors:     none; an edge-on surface shows nothing.

@@ -4,7 +4,8 @@
  *             ╲        pixels between edges at xl and xr: xl <= x < xr, whole x
  *         high ●
  *
- * The ends are put in order first: two polygons that share an edge get the same x on every row, so that
+ * The ends are put in order first: two polygons that share an edge get the same x on every row, so
+ *             that
  * they share no pixel and leave none out.
  *
  * Models:     edges for scan conversion; a horizontal one has no rows.

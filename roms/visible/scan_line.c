@@ -1,6 +1,6 @@
 #include "roms/visible/scan_line.h"
 
-/* ---- edge table ----------------------------------------------------------------------------------- */
+/* ---- edge table ------------------------------------------------------------------------------ */
 
 static void enter(struct scan_line *s, int surface, struct scan_edge edge)
 {
@@ -29,7 +29,7 @@ void scan_line_begin(struct scan_line *s, const struct scene *scene, int width, 
     }
 }
 
-/* ---- active edges --------------------------------------------------------------------------------- */
+/* ---- active edges ---------------------------------------------------------------------------- */
 
 /* Takes out those that have ended, moves the others on. */
 static void move_active(struct scan_line *s)
@@ -68,7 +68,7 @@ bool scan_line_next(struct scan_line *s)
     return true;
 }
 
-/* ---- runs ------------------------------------------------------------------------------------------ */
+/* ---- runs ------------------------------------------------------------------------------------ */
 
 /* Turns a surface's flag; the list stays in the order of the scene. */
 static void turn_flag(struct scan_line *s, uint16_t surface)

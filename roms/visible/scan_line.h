@@ -1,16 +1,17 @@
 /* scan_line.h — the scan-line method: one row at a time, all surfaces together.
  *
- *      edge table:   row 12: AB, AD    row 15: EH, EF    row 20: …           edges by their first row
- *      active edges: AD ──── EH ──── BC ──── FG                              of this row, by x
- *      flags:            S1     S1,S2    S2                                  on between its two edges
- *                               └ two flags: depths decide
+ *      edge table:   row 12: AB, AD    row 15: EH, EF    row 20: …           edges by their first
+ *             row edges: AD ──── EH ──── BC ──── FG                              of this row, by x
+ *      flags:            S1     S1,S2    S2                                  on between its two
+ *             edges                   └ two flags: depths decide
  *
- * Where more than one flag is on, depths are compared at the run's first pixel and the run ends where
- * another surface comes to the front, so that surfaces which pierce one another are right, too.
+ * Where more than one flag is on, depths are compared at the run's first pixel and the run ends
+ * where another surface comes to the front, so that surfaces which pierce one another are right,
+ * too.
  *
  * Models:     edge table, active edge list, a flag a surface; depths only where flags overlap.
- * Cost:       about 70 instructions an edge in the table, 12 an active edge and row, 40 a run, and 25
- *             a surface whose flag is on where there is more than one; no depth buffer.
+ * Cost:       about 260 instructions an active edge and row, its run and that run's pixels
+ *             included; depths only where there is more than one flag, 60 a flag. No depth buffer.
  * Domain:     convex surfaces, at most SCAN_ROWS rows.
  * Units:      pixels, y downwards.
  * Ownership:  the state is the caller's (about 160 KB: static storage); the scene must outlive it.

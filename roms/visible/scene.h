@@ -1,16 +1,16 @@
 /* scene.h — polygons after projection, which all methods for visible surfaces take.
  *
  *      object ──view──▶ vertices (x, y, z): x, y on the picture, z larger where nearer
- *                       surfaces: corners, colour, plane A·x + B·y + C·z + D = 0 of these coordinates
- *                       edges:    between two surfaces, or at the rim of one
+ *                       surfaces: corners, colour, plane A·x + B·y + C·z + D = 0 of these
+ *             coordinates           edges:    between two surfaces, or at the rim of one
  *
- * A perspective moves z as it moves x and y, z' = z·d/(d − z), so that planes stay planes and a line's
- * depth is linear along the picture.
+ * A perspective moves z as it moves x and y, z' = z·d/(d − z), so that planes stay planes and a
+ * line's depth is linear along the picture.
  *
  * Models:     a list of convex planar polygons. Rules that make methods agree: a pixel belongs to a
- *             surface when its middle does, on a left or upper edge, too (scan_edge.h); of equal depths
- *             the surface that comes first in the list is shown.
- * Cost:       about 40 instructions a vertex, 60 a side.
+ *             surface when its middle does, on a left or upper edge, too (scan_edge.h); of equal
+ *             depths the surface that comes first in the list is shown.
+ * Cost:       about 700 instructions a polygon of four corners, 840 when it is not left out.
  * Domain:     vertices in front of the eye: z < d.
  * Units:      after projection: pixels of a canvas or stage units; depth in the same.
  * Ownership:  plain value of about 150 KB: static storage.

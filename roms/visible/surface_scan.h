@@ -3,10 +3,11 @@
  *      edges by their first row ──▶ two active ones ──▶ row y: pixels x0 … x1 − 1
  *
  * Models:     scan conversion of one convex polygon by two active edges (scan_edge.h).
- * Cost:       about 60 instructions an edge and 25 a row.
+ * Cost:       about 80 instructions an edge and 40 a row.
  * Domain:     a surface of a scene; rows and pixels within width and height.
  * Units:      pixels, y downwards.
- * Ownership:  the state is the caller's; scene and surface are looked at in surface_scan_begin only.
+ * Ownership:  the state is the caller's; scene and surface are looked at in surface_scan_begin
+ *             only.
  * Errors:     none; an edge-on surface has no rows.
  * Source:     J. D. Foley et al., Computer Graphics (1990), section 3.6.
  */

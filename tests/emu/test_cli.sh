@@ -73,7 +73,7 @@ check "--version" same "$("$KINESCOPE" --version | cut -d' ' -f1)" kinescope
 says "misspelt subcommand" 2 "did you mean capture" captur
 says "unknown subcommand" 2 "no subcommand" xyzzyplugh
 says "misspelt option" 2 "did you mean --exposure" capture "$star" --exposre 1ms
-says "missing argument" 2 "usage: kinescope capture FILE" capture
+says "missing argument" 2 "usage: kinescope trace FILE" trace
 says "one argument too many" 2 "too many" asm "$star" b.df
 says "nothing to write" 2 "nothing is to be written" capture "$star"
 says "negative time" 2 "negative" capture "$star" --at -1s -o "$work/x.png"
@@ -338,6 +338,11 @@ says "no tour" 1 "cannot be opened" list roms --roms "$work"
 "$KINESCOPE" run "$star" --headless --for 10s 2>"$work/err"
 check "run --headless" [ $? -eq 0 ]
 check "run --headless says how fast" grep -q "simulated seconds a second" "$work/err"
+echo quit | "$KINESCOPE" run --headless --console >"$work/out" 2>"$work/err"
+check "run without FILE: the monitor" grep -q "kinescope monitor" "$work/out"
+says "run without FILE, and no monitor there" 1 "monitor.elf cannot be opened" run --headless --roms "$work/roms"
+says "run --tour takes no FILE" 2 "leave out FILE" run --tour "$star"
+says "run --tour is for a window" 2 "leave out --headless" run --tour --headless
 env -u DISPLAY -u WAYLAND_DISPLAY "$KINESCOPE" run "$star" >"$work/out" 2>"$work/err"
 check "no display: status 1" [ $? -eq 1 ]
 check "no display: says what to use instead" grep -q "capture" "$work/err"

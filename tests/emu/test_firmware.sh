@@ -143,5 +143,13 @@ cp /bin/true "$work/host.elf"
 says "a program for another machine" 1 "host.elf" run "$work/host.elf" --headless
 head -c 900 $hello >"$work/cut.elf"
 says "an image cut short" 1 "cut.elf" run "$work/cut.elf" --headless
+
+# ---- the tube that firmware names ------------------------------------------------------------------
+"$KINESCOPE" capture --view vector -o "$work/named.png" 2>"$work/said" && grep -aq "P31" "$work/named.png"
+report $? "firmware names the vector head's tube"
+"$KINESCOPE" capture --view vector --tube VR14 -o "$work/asked.png" 2>"$work/said" &&
+    grep -aq "VR14" "$work/asked.png" && ! grep -aq "P31" "$work/asked.png"
+report $? "--tube goes before it"
+
 echo "1..$number"
 exit $failed

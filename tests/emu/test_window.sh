@@ -110,10 +110,10 @@ report $? "a window is no larger than the monitor"
 mkdir roms
 cp "$programs/star.df" "$programs/spin.df" roms
 printf 'star.df - A star\nspin.df RADAR7 A hand\n' >roms/tour.txt
-"$KINESCOPE" run --roms roms --size 300x300 2>tour.log &
+"$KINESCOPE" run --tour --roms roms --size 300x300 2>tour.log &
 viewer=$!
 until_true 30 title star.df
-report $? "without a file: the tour"
+report $? "--tour: the tour"
 xdotool mousemove 150 150
 xdotool windowfocus "$(title star.df | tail -n 1)" 2>/dev/null
 sleep 0.5
@@ -123,5 +123,20 @@ report $? "Right Ctrl N shows the next program"
 chord q
 wait $viewer
 report $? "the tour ends with status 0"
+# Keys that are not the host's go to the firmware's console; what runs without a FILE is the monitor.
+"$KINESCOPE" run --size 300x300 2>typed.log &
+viewer=$!
+until_true 30 title monitor.elf
+report $? "without a file: the monitor"
+xdotool mousemove 150 150
+xdotool windowfocus "$(title monitor.elf | tail -n 1)" 2>/dev/null
+sleep 1
+xdotool type --delay 80 "quit 78"
+press BackSpace Return
+sleep 1
+chord q
+wait $viewer
+[ $? -eq 7 ]
+report $? "what is typed into the window reaches the firmware"
 viewer=
 finish

@@ -15,6 +15,7 @@
 #include "roms/raster/fill.c"
 #include "roms/raster/font.c"
 #include "roms/raster/line.c"
+#include "roms/raster/line_bresenham.c"
 #include "roms/raster/text.c"
 
 enum { WIDTH = 77, HEIGHT = 40, GUARD = 256, ROOM = WIDTH * HEIGHT * 4 + 4 * HEIGHT };

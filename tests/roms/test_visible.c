@@ -1,6 +1,6 @@
-/* Visible surfaces (roms/visible): the methods against one another pixel for pixel, the depth buffer
- * against a ray through every pixel's middle in double precision, hidden lines against points close
- * together along every edge, back faces against the solids themselves. */
+/* Visible surfaces (roms/visible): the methods against one another pixel for pixel, the depth
+ * buffer against a ray through every pixel's middle in double precision, hidden lines against
+ * points close together along every edge, back faces against the solids themselves. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -173,13 +173,13 @@ static int differences(int a, int b)
     return count;
 }
 
-/* ---- the methods against one another ------------------------------------------------------------- */
+/* ---- the methods against one another --------------------------------------------------------- */
 
 static void methods_agree_on_solids_apart(void **state)
 {
     (void)state;
     int painted = 0;
-    for (int i = 0; i < 1000; i++) {
+    for (int i = 0; i < 600; i++) {
         random_scene(SCENE_CULLED);
         draw_by_depth(0);
         draw_by_scan_line(1);
@@ -190,8 +190,8 @@ static void methods_agree_on_solids_apart(void **state)
             assert_int_equal(differences(0, 2), 0);
         painted += rig.painter.circles == 0;
     }
-    print_message("painter's: an order in %d of 1000\n", painted);
-    assert_true(painted > 950);
+    print_message("painter's: an order in %d of 600\n", painted);
+    assert_true(painted > 570);
 }
 
 /* Where two planes come equally near rounding may decide: a few pixels in a million. */
@@ -199,17 +199,17 @@ static void scan_line_agrees_where_surfaces_pierce(void **state)
 {
     (void)state;
     int different = 0;
-    for (int i = 0; i < 1000; i++) {
+    for (int i = 0; i < 600; i++) {
         random_piercing();
         draw_by_depth(0);
         draw_by_scan_line(1);
         different += differences(0, 1);
     }
-    print_message("piercing: %d pixels of %d differ\n", different, 1000 * WIDTH * HEIGHT);
-    assert_true(different < 320);
+    print_message("piercing: %d pixels of %d differ\n", different, 600 * WIDTH * HEIGHT);
+    assert_true(different < 190);
 }
 
-/* ---- the depth buffer against rays ------------------------------------------------------------------ */
+/* ---- the depth buffer against rays ----------------------------------------------------------- */
 
 struct ray {
     double nearest, second; /* depths */
@@ -272,7 +272,7 @@ static void depth_buffer_shows_what_rays_hit(void **state)
 {
     (void)state;
     int judged = 0;
-    for (int i = 0; i < 60; i++) {
+    for (int i = 0; i < 30; i++) {
         if (i % 2 == 0)
             random_piercing();
         else
@@ -292,7 +292,7 @@ static void depth_buffer_shows_what_rays_hit(void **state)
             }
     }
     print_message("rays: %d judged\n", judged);
-    assert_true(judged > 60 * WIDTH * HEIGHT * 8 / 10);
+    assert_true(judged > 30 * WIDTH * HEIGHT * 8 / 10);
 }
 
 /* A closed solid's faces cover each pixel of its outline once, before and behind. */
@@ -349,7 +349,7 @@ static void a_buffer_that_begins_with_0_hides_the_rear(void **state)
     }
 }
 
-/* ---- painter's failing cases ---------------------------------------------------------------------- */
+/* ---- painter's failing cases ----------------------------------------------------------------- */
 
 static void add_bar(struct vector3 from, struct vector3 to, struct vector3 side)
 {
@@ -410,7 +410,7 @@ static void every_surface_is_painted_once(void **state)
     }
 }
 
-/* ---- hidden lines ------------------------------------------------------------------------------------ */
+/* ---- hidden lines ---------------------------------------------------------------------------- */
 
 /* Is a point of an edge hidden? -1: too close to say. */
 static int point_hidden(const struct scene_edge *e, struct vector3 p)
@@ -438,7 +438,7 @@ static void parts_of_edges_are_what_points_say(void **state)
 {
     (void)state;
     int judged = 0, seen = 0, hidden = 0;
-    for (int i = 0; i < 60; i++) {
+    for (int i = 0; i < 30; i++) {
         if (i % 2 == 0)
             random_scene(SCENE_CULLED);
         else
@@ -462,7 +462,7 @@ static void parts_of_edges_are_what_points_say(void **state)
     }
     print_message("hidden lines: %d points judged, %d parts seen, %d hidden\n", judged, seen,
                   hidden);
-    assert_true(judged > 20000 && seen > 1000 && hidden > 1000);
+    assert_true(judged > 10000 && seen > 500 && hidden > 500);
 }
 
 /* The parts of an edge make up the edge. */
@@ -504,9 +504,90 @@ static void a_convex_solid_alone_hides_its_rear_only(void **state)
     }
 }
 
-/* ---- back faces ---------------------------------------------------------------------------------------- */
+/* Hidden parts in any order, joined where they meet, against a thousand points of the edge. */
+static void hidden_parts_are_joined(void **state)
+{
+    (void)state;
+    enum { POINTS = 1000 };
+    for (int i = 0; i < 5000; i++) {
+        bool hidden[POINTS] = {false};
+        struct hidden_lines *h = &rig.hidden;
+        int count = 1 + (int)uniform(0, 20);
+        h->parts = 0;
+        for (int k = 0; k < count; k++) {
+            int from = (int)uniform(0, POINTS - 1),
+                to = from + 1 + (int)uniform(0, uniform(0, 300));
+            to = to < POINTS ? to : POINTS;
+            add_hidden(h, (float)from / POINTS, (float)to / POINTS);
+            for (int p = from; p < to; p++)
+                hidden[p] = true;
+        }
+        for (int k = 1; k < h->parts; k++)
+            assert_true(h->hidden[k - 1].to < h->hidden[k].from);
+        for (int p = 0; p < POINTS; p++) {
+            float at = ((float)p + 0.5f) / POINTS;
+            bool in = false;
+            for (int k = 0; k < h->parts; k++)
+                in = in || (at > h->hidden[k].from && at < h->hidden[k].to);
+            assert_int_equal(in, hidden[p]);
+        }
+    }
+}
 
-/* Visible polygons of a convex solid are those whose middle, moved a little toward the eye, is outside. */
+/* More parts than there is room for: nothing hidden is lost. */
+static void too_many_parts_hide_more(void **state)
+{
+    (void)state;
+    struct hidden_lines *h = &rig.hidden;
+    h->parts = 0;
+    for (int k = 0; k < 2 * HIDDEN_PARTS; k++)
+        add_hidden(h, (float)(2 * k) / 100, (float)(2 * k + 1) / 100);
+    assert_int_equal(h->parts, HIDDEN_PARTS);
+    for (int k = 0; k < 2 * HIDDEN_PARTS; k++) {
+        float at = (2 * (float)k + 0.5f) / 100;
+        bool in = false;
+        for (int i = 0; i < h->parts; i++)
+            in = in || (at > h->hidden[i].from && at < h->hidden[i].to);
+        assert_true(in);
+    }
+}
+
+/* ---- projection ------------------------------------------------------------------------------ */
+
+/* xp = x·d/(d − z); a middle in space lies on the picture's line with the depth that is linear
+ * there; what is nearer on a ray has the larger depth. */
+static void perspective_keeps_lines_and_order(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 20000; i++) {
+        double d = (double)uniform(4, 20);
+        struct view view = {matrix4_identity(), (float)d, 30, 100, 80, -1};
+        struct vector3 a = {uniform(-2, 2), uniform(-2, 2), uniform(-3, 3)};
+        struct vector3 b = {uniform(-2, 2), uniform(-2, 2), uniform(-3, 3)};
+        struct vector3 m = vector3_times(vector3_sum(a, b), 0.5f);
+        struct vector3 pa = view_place(&view, a), pb = view_place(&view, b),
+                       pm = view_place(&view, m);
+        assert_true(fabs((double)pa.x - (100 + 30 * (double)a.x * d / (d - (double)a.z))) < 1e-3);
+        assert_true(fabs((double)pa.y - (80 - 30 * (double)a.y * d / (d - (double)a.z))) < 1e-3);
+        double dx = (double)pb.x - pa.x, dy = (double)pb.y - pa.y;
+        double t =
+            (((double)pm.x - pa.x) * dx + ((double)pm.y - pa.y) * dy) / (dx * dx + dy * dy + 1e-9);
+        if (dx * dx + dy * dy > 25) {
+            assert_true(fabs((double)pa.y + t * dy - pm.y) < 1e-2);
+            assert_true(fabs((double)pa.z + t * ((double)pb.z - pa.z) - pm.z) < 2e-2);
+        }
+        /* Toward the eye at (0, 0, d). */
+        struct vector3 eye = {0, 0, (float)d};
+        struct vector3 nearer = vector3_sum(a, vector3_times(vector3_difference(eye, a), 0.1f));
+        struct vector3 pn = view_place(&view, nearer);
+        assert_true(fabsf(pn.x - pa.x) < 1e-2f && fabsf(pn.y - pa.y) < 1e-2f && pn.z > pa.z);
+    }
+}
+
+/* ---- back faces ------------------------------------------------------------------------------ */
+
+/* Visible polygons of a convex solid are those whose middle, moved a little toward the eye, is
+ * outside. */
 static void back_faces_are_those_seen_through_the_solid(void **state)
 {
     (void)state;
@@ -582,6 +663,9 @@ int main(void)
         cmocka_unit_test(parts_of_edges_are_what_points_say),
         cmocka_unit_test(parts_of_edges_are_whole_edges),
         cmocka_unit_test(a_convex_solid_alone_hides_its_rear_only),
+        cmocka_unit_test(hidden_parts_are_joined),
+        cmocka_unit_test(too_many_parts_hide_more),
+        cmocka_unit_test(perspective_keeps_lines_and_order),
         cmocka_unit_test(back_faces_are_those_seen_through_the_solid),
         cmocka_unit_test(the_sign_of_d_does_not_tell),
         cmocka_unit_test(what_is_at_the_eye_is_refused),

@@ -1,0 +1,30 @@
+/* keys.h — keys from the console, and waiting for them.
+ *
+ *      UART bytes ──▶ characters; ESC [ A … ──▶ KEY_UP …      nobody types: the processor waits
+ *
+ * Models:     a terminal's keyboard: characters, and the sequences of ECMA-48 for cursor keys.
+ * Time:       ticks of the timer (roms/bsp/timer.h). An ESC that nothing follows within 20 ms is the
+ *             Escape key.
+ * Ownership:  plain value.
+ * Errors:     none; sequences that are not known are KEY_OTHER.
+ */
+#ifndef ROMS_MONITOR_KEYS_H
+#define ROMS_MONITOR_KEYS_H
+
+#include <stdint.h>
+
+#include "roms/lessons/key.h"
+
+enum {
+    KEYS_NONE = -1,     /* none came in time */
+    KEYS_INPUT_END = 4, /* control-D: nothing will come any more, or somebody is done */
+    KEYS_ENTER = '\r',  /* for a line feed, too */
+    KEYS_BACKSPACE = 8, /* for Delete, too */
+    KEYS_ESCAPE = 27,
+};
+#define KEYS_FOREVER UINT64_MAX
+
+/* The next key, or KEYS_NONE when none has come by that time. */
+int keys_next(uint64_t until);
+
+#endif
