@@ -157,9 +157,15 @@ pictures: all
 	./kinescope capture roms/mask.elf --closeup 512,374,14 --size 800x600 -o roms/pictures/mask.png
 	./kinescope capture roms/heads.elf --size 1200x512 -o roms/pictures/heads.png
 	./kinescope capture roms/colours.df --size 640x640 -o roms/pictures/colours.png
+	./kinescope capture --type 'step on\nline bresenham 20 10 30 18\n     ' --at 1s --view both --size 1200x600 -o roms/pictures/step.png
+	./kinescope capture --type 'lesson shading\n' --at 4s --view both --size 1200x600 -o roms/pictures/shading.png
+	./kinescope capture --type 'lesson flight\n' --at 9s --view both --size 1200x600 -o roms/pictures/flight.png
+	./kinescope capture --type 'lesson map\n' --at 2s --view raster --size 800x600 -o roms/pictures/map.png
+	./kinescope capture --type 'lesson art\n' --at 2s --view vector --size 640x640 -o roms/pictures/art.png
 
 golden: all
 	@tests/golden.sh --regenerate ./kinescope
+	@KINESCOPE=./kinescope TEST_OUT=$(O)/test-out sh tests/roms/test_lessons.sh --regenerate tests/golden/lessons.txt
 
 layers:
 	@tests/layers.sh

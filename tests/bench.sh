@@ -8,3 +8,9 @@ for bench in "$@"; do
     echo
     "$bench"
 done
+
+# Counted, not timed: the same on every machine.
+echo
+echo "drawing by firmware: instructions of the simulated processor, milliseconds at 50 MHz"
+printf 'cost\nquit\n' | ./kinescope run --headless --console 2>/dev/null | tr -d '\r' | sed -n '/^8 bits/,/^>/p' |
+    grep -v '^>'

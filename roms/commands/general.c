@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "roms/bsp/board.h"
+#include "roms/commands/cost.h"
 #include "roms/lessons/lesson.h"
 #include "roms/monitor/command.h"
 #include "roms/monitor/lesson_run.h"
@@ -88,6 +89,7 @@ const struct command commands_general[] = {
     {"lessons", "", "lists the lessons", list_lessons},
     {"table", "on|off", "prints the working of what is drawn", table},
     {"step", "on|off", "scan conversions go one decision a key", steps},
+    {"cost", "", "what drawing costs: instructions, counted by the processor", cost_run},
     {"quit", "[STATUS]", "ends the monitor", quit},
     {NULL, NULL, NULL, NULL},
 };
