@@ -22,6 +22,11 @@ static int row_from(int32_t y)
     return (y + POLYGON_PARTS - 1) >> 6;
 }
 
+int polygon_first(float v)
+{
+    return row_from(rounded(v));
+}
+
 /* x and `over` after so many 1/64 pixel from the upper end: x₀ + dx·down/height, rounded up. */
 static void cross(struct polygon_edge *e, int32_t x0, int32_t dx, int32_t down)
 {

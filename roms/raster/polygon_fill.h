@@ -39,6 +39,10 @@ void canvas_polygon(const struct canvas *c, const struct point2 *corners, int co
 void canvas_polygons(const struct canvas *c, const struct point2 *corners, const int *counts,
                      int contours, enum polygon_rule rule, uint32_t colour);
 
+/* The first row or column at or behind an upright edge there: an upright rectangle is filled from
+ * polygon_first(low) up to, not including, polygon_first(high). */
+int polygon_first(float v);
+
 /* ---- row by row ------------------------------------------------------------------------------ */
 
 /* An edge that crosses rows first…last. Where it crosses the row that is being done, rounded up to

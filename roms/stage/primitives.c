@@ -147,8 +147,8 @@ static bool upright(const struct point2 *p, int count)
 
 static void fill_upright(const struct canvas *c, const struct point2 *p, uint32_t colour)
 {
-    int x0 = (int)ceilf(fminf(p[0].x, p[2].x)), x1 = (int)ceilf(fmaxf(p[0].x, p[2].x));
-    int y0 = (int)ceilf(fminf(p[0].y, p[2].y)), y1 = (int)ceilf(fmaxf(p[0].y, p[2].y));
+    int x0 = polygon_first(fminf(p[0].x, p[2].x)), x1 = polygon_first(fmaxf(p[0].x, p[2].x));
+    int y0 = polygon_first(fminf(p[0].y, p[2].y)), y1 = polygon_first(fmaxf(p[0].y, p[2].y));
     canvas_fill(c, x0, y0, x1 - x0, y1 - y0, colour);
 }
 
