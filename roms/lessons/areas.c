@@ -32,4 +32,4 @@ static struct scenes lesson_state;
 
 extern const struct lesson lesson_areas;
 const struct lesson lesson_areas = {
-    "areas", "Areas: polygon, flood, boundary fill", SCENES_KEYS, &lesson_state, begin, key, draw};
+    "areas", "Areas and how they are filled", SCENES_KEYS, &lesson_state, begin, key, draw};

@@ -24,8 +24,9 @@ struct command {
 
 /* Tables end with a name of NULL. */
 extern const struct command commands_general[]; /* help, table, lesson, … */
-extern const struct command commands_lines[];   /* lines, circles, ellipses */
-extern const struct command commands_areas[];   /* filling */
+extern const struct command commands_arithmetic[];
+extern const struct command commands_lines[]; /* lines, circles, ellipses */
+extern const struct command commands_areas[]; /* filling */
 extern const struct command commands_clip[];
 extern const struct command commands_plane[]; /* 2-D transformations and viewing */
 extern const struct command commands_space[]; /* 3-D transformations and projections */

@@ -4,9 +4,9 @@
 #include "roms/monitor/command.h"
 
 static const struct command *const groups[] = {
-    commands_general,  commands_lines, commands_areas,    commands_clip,
-    commands_plane,    commands_space, commands_curves,   commands_solids,
-    commands_surfaces, commands_light, commands_segments,
+    commands_general, commands_arithmetic, commands_lines, commands_areas,
+    commands_clip,    commands_plane,      commands_space, commands_curves,
+    commands_solids,  commands_surfaces,   commands_light, commands_segments,
 };
 enum { GROUPS = sizeof groups / sizeof groups[0] };
 

@@ -1,5 +1,6 @@
 #include "roms/monitor/menu.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -25,13 +26,19 @@ static int chapters(void)
     return i;
 }
 
+/* What the menu calls it: of the gallery without "Gallery: ", with a capital. */
+static void label(char *text, size_t size, int i)
+{
+    const char *title = lessons[i]->title;
+    const char *own = of_gallery(i) ? strchr(title, ' ') + 1 : title;
+    snprintf(text, size, "%2d %c%s", i + 1, toupper((unsigned char)own[0]), own + 1);
+}
+
 static void entry(struct stage *s, const struct menu *menu, int i, float x, float y)
 {
     char text[64];
     bool marked = i == menu->marked;
-    const char *title = lessons[i]->title;
-    snprintf(text, sizeof text, "%2d %s", i + 1,
-             of_gallery(i) && strchr(title, ':') ? strchr(title, ':') + 2 : title);
+    label(text, sizeof text, i);
     stage_ink(s, marked ? INK_BRIGHT : of_gallery(i) ? INK_CYAN : INK_TEXT);
     stage_text(s, x, y, text);
     if (marked) {

@@ -65,10 +65,10 @@ unsigned transcript_count(void)
 void transcript_draw(struct stage *stage)
 {
     enum { PITCH = STAGE_HEIGHT / TRANSCRIPT_LINES };
-    unsigned first = said.count >= TRANSCRIPT_LINES - 1 ? said.count - (TRANSCRIPT_LINES - 1) : 0;
+    unsigned first = said.count >= TRANSCRIPT_LINES - 2 ? said.count - (TRANSCRIPT_LINES - 2) : 0;
     for (unsigned i = first; i < said.count; i++) {
         const char *line = said.line[i % TRANSCRIPT_LINES];
         if (line[0] != '\0')
-            stage_text(stage, 4, (float)(STAGE_HEIGHT - PITCH * (int)(i - first + 1)), line);
+            stage_text(stage, 4, (float)(STAGE_HEIGHT - PITCH * (int)(i - first + 2)), line);
     }
 }
