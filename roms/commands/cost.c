@@ -5,7 +5,7 @@
 #include "roms/bsp/board.h"
 #include "roms/bsp/csr.h"
 #include "roms/commands/cost.h"
-#include "roms/lessons/studio.h"
+#include "roms/scenery/studio.h"
 #include "roms/light/shade.h"
 #include "roms/raster/circle_midpoint.h"
 #include "roms/raster/ellipse_midpoint.h"

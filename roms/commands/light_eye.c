@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "roms/commands/light.h"
-#include "roms/lessons/eye.h"
+#include "roms/scenery/eye.h"
 #include "roms/monitor/print.h"
 
 bool light_mach(struct monitor *m, struct words *w)

@@ -4,7 +4,7 @@
 #include <stdio.h>
 
 #include "roms/commands/light.h"
-#include "roms/lessons/studio.h"
+#include "roms/scenery/studio.h"
 #include "roms/light/fresnel.h"
 #include "roms/monitor/print.h"
 

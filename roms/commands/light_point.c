@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "roms/commands/light.h"
-#include "roms/lessons/studio.h"
+#include "roms/scenery/studio.h"
 #include "roms/monitor/print.h"
 
 struct point {

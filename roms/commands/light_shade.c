@@ -3,7 +3,7 @@
 
 #include "roms/bsp/board.h"
 #include "roms/commands/light.h"
-#include "roms/lessons/studio.h"
+#include "roms/scenery/studio.h"
 
 enum { FINEST = 32, USUAL = 32, SAMPLES_MOST = 64 /* a pixel: some seconds */ };
 

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "roms/commands/solids.h"
-#include "roms/lessons/workroom.h"
+#include "roms/scenery/workroom.h"
 #include "roms/monitor/command.h"
 #include "roms/monitor/print.h"
 #include "roms/solids/broken.h"

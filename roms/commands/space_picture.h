@@ -14,7 +14,7 @@
 #define ROMS_COMMANDS_SPACE_PICTURE_H
 
 #include "roms/commands/space_words.h"
-#include "roms/lessons/space_solid.h"
+#include "roms/scenery/space_solid.h"
 
 /* A matrix as four rows, under its name, the upper left corner at x, y. */
 void space_matrix(struct stage *stage, float x, float y, const char *name, const struct matrix4 *m);

@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "roms/lessons/depth.h"
+#include "roms/scenery/depth.h"
 #include "roms/visible/depth_surface.h"
 
 const char *const surface_methods[] = {"depth-buffer", "scan-line", "painter", "lines",

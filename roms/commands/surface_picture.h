@@ -11,7 +11,7 @@
 #define ROMS_COMMANDS_SURFACE_PICTURE_H
 
 #include "roms/commands/solids.h"
-#include "roms/lessons/workroom.h"
+#include "roms/scenery/workroom.h"
 #include "roms/visible/surface_scan.h"
 
 enum { SURFACE_WIDTH = 600, SURFACE_HEIGHT = 400 };

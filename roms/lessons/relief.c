@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "roms/lessons/depth.h"
-#include "roms/lessons/workroom.h"
+#include "roms/scenery/depth.h"
+#include "roms/scenery/workroom.h"
 
 enum { LEGEND_X = 1085, LEGEND_LOW = 180, LEGEND_HIGH = 620, LEGEND_WIDTH = 40 };
 #define RELIEF_HALF   1.5f /* of its side */

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "roms/lessons/eye.h"
+#include "roms/scenery/eye.h"
 #include "roms/lessons/lesson.h"
 #include "roms/lessons/shading.h"
 

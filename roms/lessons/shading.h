@@ -8,7 +8,7 @@
 #ifndef ROMS_LESSONS_SHADING_H
 #define ROMS_LESSONS_SHADING_H
 
-#include "roms/lessons/studio.h"
+#include "roms/scenery/studio.h"
 
 struct shading_lesson {
     struct studio *studio;

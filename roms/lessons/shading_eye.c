@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "roms/lessons/depth.h"
-#include "roms/lessons/eye.h"
+#include "roms/scenery/depth.h"
+#include "roms/scenery/eye.h"
 #include "roms/lessons/shading.h"
 
 /* ---- a lamp over a table --------------------------------------------------------------------- */

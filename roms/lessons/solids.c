@@ -3,9 +3,9 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "roms/lessons/depth.h"
+#include "roms/scenery/depth.h"
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/workroom.h"
+#include "roms/scenery/workroom.h"
 #include "roms/solids/broken.h"
 #include "roms/solids/models.h"
 #include "roms/solids/normals.h"

@@ -1,5 +1,5 @@
 /* space_models.c — the house and the cube. */
-#include "roms/lessons/space_solid.h"
+#include "roms/scenery/space_solid.h"
 
 /* Where the roof is above x: from 2 at the walls to 3.2 at the ridge. */
 #define ROOF(x) (3.2f - 0.8f * (x))

@@ -7,7 +7,7 @@
 #include "roms/geometry/projection_perspective.h"
 #include "roms/geometry/transform3.h"
 #include "roms/lessons/space_chapters.h"
-#include "roms/lessons/space_solid.h"
+#include "roms/scenery/space_solid.h"
 
 /* ---- parallel -------------------------------------------------------------------------------- */
 

@@ -5,7 +5,7 @@
 #include "roms/geometry/projection_parallel.h"
 #include "roms/geometry/rotate_axis.h"
 #include "roms/lessons/space_chapters.h"
-#include "roms/lessons/space_solid.h"
+#include "roms/scenery/space_solid.h"
 
 enum { LEFT_WIDTH = 780, COLUMN = 800 };
 

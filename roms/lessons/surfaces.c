@@ -3,9 +3,9 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "roms/lessons/depth.h"
+#include "roms/scenery/depth.h"
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/workroom.h"
+#include "roms/scenery/workroom.h"
 #include "roms/visible/depth_surface.h"
 
 enum { WIRE, BACK, DEPTH, SCAN, PAINT, CIRCLE, FROM_0, PAGES };

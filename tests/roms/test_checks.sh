@@ -16,8 +16,12 @@ for image in tests/roms/check_*.elf; do
     if command -v qemu-system-riscv32 >/dev/null 2>&1; then
         timeout 100 qemu-system-riscv32 -M virt -bios none -nographic -cpu rv32,c=false,d=false \
             -kernel "$image" </dev/null >"$work/$name.qemu" 2>"$work/said"
-        cmp "$work/$name.ours" "$work/$name.qemu" >>"$work/said" 2>&1
+        # Speeds are told where there is a head to draw for.
+        grep -v ' a second' "$work/$name.ours" | diff - "$work/$name.qemu" >>"$work/said" 2>&1
         report $? "$name: the same figures on QEMU"
+    else
+        number=$((number + 1))
+        echo "ok $number - $name: the same figures on QEMU # SKIP no qemu-system-riscv32"
     fi
 done
 echo "1..$number"

@@ -19,8 +19,8 @@
  * Source:     H. Fuchs, Z. M. Kedem, B. F. Naylor, On Visible Surface Generation by A Priori Tree
  *             Structures, Computer Graphics 14 (SIGGRAPH 1980) 124.
  */
-#ifndef ROMS_LESSONS_SPACE_SOLID_H
-#define ROMS_LESSONS_SPACE_SOLID_H
+#ifndef ROMS_SCENERY_SPACE_SOLID_H
+#define ROMS_SCENERY_SPACE_SOLID_H
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -3,8 +3,8 @@
  * Ownership:  static storage of DEPTH_PIXELS floats.
  * Errors:     a canvas with more pixels gets a buffer of 0 by 0.
  */
-#ifndef ROMS_LESSONS_DEPTH_H
-#define ROMS_LESSONS_DEPTH_H
+#ifndef ROMS_SCENERY_DEPTH_H
+#define ROMS_SCENERY_DEPTH_H
 
 #include "roms/raster/canvas.h"
 #include "roms/visible/depth_buffer.h"

@@ -9,8 +9,8 @@
  * Ownership:  static storage, one of each, for whoever runs.
  * Errors:     none.
  */
-#ifndef ROMS_LESSONS_WORKROOM_H
-#define ROMS_LESSONS_WORKROOM_H
+#ifndef ROMS_SCENERY_WORKROOM_H
+#define ROMS_SCENERY_WORKROOM_H
 
 #include "roms/stage/stage.h"
 #include "roms/visible/hidden_lines.h"

@@ -1,4 +1,4 @@
-#include "roms/lessons/space_solid.h"
+#include "roms/scenery/space_solid.h"
 
 #include <math.h>
 #include <stdio.h>

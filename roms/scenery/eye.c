@@ -1,4 +1,4 @@
-#include "roms/lessons/eye.h"
+#include "roms/scenery/eye.h"
 
 #include <math.h>
 #include <stddef.h>

@@ -1,10 +1,10 @@
-#include "roms/lessons/studio.h"
+#include "roms/scenery/studio.h"
 
 #include <stddef.h>
 
 #include "roms/bsp/csr.h"
-#include "roms/lessons/depth.h"
-#include "roms/lessons/workroom.h"
+#include "roms/scenery/depth.h"
+#include "roms/scenery/workroom.h"
 #include "roms/solids/models.h"
 #include "roms/solids/normals.h"
 

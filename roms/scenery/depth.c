@@ -1,4 +1,4 @@
-#include "roms/lessons/depth.h"
+#include "roms/scenery/depth.h"
 
 struct depth_buffer lesson_depth(const struct canvas *c)
 {

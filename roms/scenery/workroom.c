@@ -1,4 +1,4 @@
-#include "roms/lessons/workroom.h"
+#include "roms/scenery/workroom.h"
 
 #include <stddef.h>
 

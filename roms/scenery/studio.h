@@ -9,8 +9,8 @@
  *             or the present one.
  * Errors:     none; without a raster head nothing is drawn there.
  */
-#ifndef ROMS_LESSONS_STUDIO_H
-#define ROMS_LESSONS_STUDIO_H
+#ifndef ROMS_SCENERY_STUDIO_H
+#define ROMS_SCENERY_STUDIO_H
 
 #include "roms/light/mesh.h"
 #include "roms/stage/stage.h"

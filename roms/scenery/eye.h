@@ -5,8 +5,8 @@
  * Ownership:  plain values; work space is the caller's or on the stack.
  * Errors:     none.
  */
-#ifndef ROMS_LESSONS_EYE_H
-#define ROMS_LESSONS_EYE_H
+#ifndef ROMS_SCENERY_EYE_H
+#define ROMS_SCENERY_EYE_H
 
 #include "roms/light/mach.h"
 #include "roms/stage/stage.h"
