@@ -152,10 +152,17 @@ bool cost_run(struct monitor *m, struct words *w)
     if (board_clock_hz() == 0 || m->stage.canvas.width < 640)
         return words_refuse(w, "this board has no picture of 640 by 480, or a clock nobody knows");
     printf("%-34s %7s %-9s %9s %8s %8s\n", "8 bits a pixel", "count", "of", "instr.", "each", "ms");
+    struct studio *s = studio();
+    struct lighting lighting = s->lighting; /* the user's */
+    struct material material = s->material;
+    struct power_table power = s->power;
     measure_figures(m);
-    studio_reset(studio());
-    studio_solid(studio(), STUDIO_TORUS, SEGMENTS);
+    studio_reset(s);
+    studio_solid(s, STUDIO_TORUS, SEGMENTS);
     for (int shading = 0; shading_names[shading] != NULL; shading++)
         measure_solid(m, (enum shading)shading);
+    s->lighting = lighting;
+    s->material = material;
+    s->power = power;
     return true;
 }
