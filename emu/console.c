@@ -53,11 +53,6 @@ void vm_console_close(struct vm_console *c)
     c->ends = true;
 }
 
-void vm_console_keep_open(struct vm_console *c)
-{
-    c->ends = false;
-}
-
 uint64_t vm_console_next(const struct vm_console *c, uint64_t ready)
 {
     if (c->next < c->count) {

@@ -71,8 +71,6 @@ void vm_console_free(struct vm_console *c);
 bool vm_console_type(struct vm_console *c, const char *bytes, size_t length, uint64_t t);
 /* Nothing more will be typed. */
 void vm_console_close(struct vm_console *c);
-/* … and input goes on after it all the same: there is a keyboard. */
-void vm_console_keep_open(struct vm_console *c);
 
 /* When the next byte may be delivered, were the receiver ready at `ready`: at or after it;
  * UINT64_MAX: there is none. */

@@ -203,6 +203,9 @@ static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct v
     struct vm_terminal terminal = {0};
     struct run r = {.rig = rig};
     bool ok = join(&r, h, &terminal, err);
+    /* Nobody will type any more. */
+    if (ok && input->typed && !terminal.live)
+        vm_console_close(rig->console);
     double begin = vm_host_seconds();
     const struct before b = before(rig);
     if (ok)

@@ -20,7 +20,7 @@ const struct vm_option vm_input_rows[VM_INPUT_ROWS] = {
     {"firmware", 0, VM_OPT_STRING, offsetof(struct vm_input_options, firmware), "FILE.elf",
      "firmware that runs the display file, instead of what .firmware in its source names", 0, 0},
     {"type", 0, VM_OPT_STRING, offsetof(struct vm_input_options, type), "TEXT",
-     "type this on the firmware's console, then end of input (0x04; a window's keys go on); \\n "
+     "type this on the firmware's console, and in a headless run then end of input (0x04); \\n "
      "\\r \\t \\e \\\\ \\xHH "
      "are "
      "understood",

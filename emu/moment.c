@@ -16,7 +16,7 @@ const struct vm_option vm_moment_rows[VM_MOMENT_ROWS] = {
      "stop:N or refresh:N, the end of the N-th stop word or refresh; of firmware also mark:N, when "
      "it "
      "sets that mark, or console:TEXT, when it has printed that; default: the end of the first "
-     "complete refresh after 0.5 s",
+     "complete refresh after 0.5 s, and after what --type types has been answered",
      0, 0},
     {"timeout", 0, VM_OPT_TIME, ROW(timeout), "T",
      "give up, with status 3, when --when has not come by then; default 60s", 0, 0},
@@ -95,6 +95,25 @@ static int find_event(struct vm_machine *m, const char *when, uint64_t timeout, 
     return found && m->now <= timeout ? 0 : no_event(m, when, timeout, err);
 }
 
+/* When all that was typed has been read and the firmware, having done what it was told, waits for more: it
+ * hardly computes for a while. Firmware that always computes is taken some seconds later. 0: nothing was
+ * typed. */
+static uint64_t answered(struct vm_machine *m)
+{
+    const uint64_t slice = CRT_PS_PER_S / 20, few = VM_CPU_HZ / 20 / 100, most = 3 * CRT_PS_PER_S;
+    const struct vm_console *console = m->desc.console;
+    if (!console || !m->desc.board || console->next == console->count)
+        return 0;
+    while (console->next < console->count && m->now < TIMEOUT_PS)
+        vm_machine_run(m, m->now + slice);
+    uint64_t read = m->now, before;
+    do {
+        before = rv_retired(&m->desc.board->cpu);
+        vm_machine_run(m, m->now + slice);
+    } while (rv_retired(&m->desc.board->cpu) - before > few && m->now < read + most);
+    return m->now;
+}
+
 /* The first complete refresh once things have settled; a program that never completes one is shown
  * when they have. A machine that was loaded has settled, but for the tick whose light is gathered. */
 static int find_refresh(struct vm_machine *m, const struct vm_time *timeout, uint64_t limit,
@@ -102,7 +121,8 @@ static int find_refresh(struct vm_machine *m, const struct vm_time *timeout, uin
 {
     char text[32];
     uint64_t loaded = m->now ? m->now + crt_tick_time(m->desc.tick, 1) : 0;
-    uint64_t settled = loaded > VM_SETTLED_PS ? loaded : VM_SETTLED_PS;
+    uint64_t settled = loaded > VM_SETTLED_PS ? loaded : VM_SETTLED_PS, told = answered(m);
+    settled = told > settled ? told : settled;
     *moment = settled;
     limit = limit > settled ? limit : settled + PATIENCE_PS;
     while (vm_machine_run_refresh(m, limit))

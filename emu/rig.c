@@ -34,10 +34,7 @@ static bool open_board(struct vm_rig *rig, const struct vm_input *input, struct 
     rig->board = vm_board_create(clock, &(struct vm_uart_out){rig->console, transmit}, err);
     if (!rig->board)
         return false;
-    if (!input->typed)
-        return true;
-    vm_console_close(rig->console);
-    return vm_console_type(rig->console, input->typed, input->typed_length, 0) ||
+    return !input->typed || vm_console_type(rig->console, input->typed, input->typed_length, 0) ||
            crt_fail(err, "not enough memory for --type");
 }
 

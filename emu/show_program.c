@@ -83,8 +83,6 @@ static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, st
         return false;
     if (d->console && p->rig.console)
         p->rig.console->desc = vm_terminal_console(&show->terminal);
-    else if (p->rig.console)
-        vm_console_keep_open(p->rig.console);
     /* --load-state is for the program that the show begins with. */
     if (!show->program && !vm_saved_load(d->saved, &p->rig, &p->settings, &p->input, err))
         return false;
