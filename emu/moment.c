@@ -111,7 +111,7 @@ static uint64_t answered(struct vm_machine *m)
         before = rv_retired(&m->desc.board->cpu);
         vm_machine_run(m, m->now + slice);
     } while (rv_retired(&m->desc.board->cpu) - before > few && m->now < read + most);
-    return m->now;
+    return m->now + VM_SETTLED_PS; /* what was shown before has faded */
 }
 
 /* The first complete refresh once things have settled; a program that never completes one is shown
