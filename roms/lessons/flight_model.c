@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "roms/geometry/scalar.h"
+
 #define PI       3.14159265f
 #define MASS     1043.0f
 #define GRAVITY  9.81f
@@ -15,11 +17,6 @@
 #define THRUST_0 2400.0f
 #define POWER    (0.75f * 119000)
 #define HARD     3.0f /* m/s that the wheels stand */
-
-static float within(float v, float low, float high)
-{
-    return v < low ? low : v > high ? high : v;
-}
 
 float flight_turn_to(float from, float to)
 {
@@ -67,11 +64,11 @@ static void follow_stick(struct flight *f)
     float pitch = f->stalled ? fminf(f->stick.pitch, f->pitch - 4 * FLIGHT_DEGREE) : f->stick.pitch;
     float bank = f->phase == FLIGHT_ROLLING ? 0 : f->stick.bank;
     if (f->phase == FLIGHT_ROLLING)
-        pitch = within(pitch, 0, 12 * FLIGHT_DEGREE);
-    f->pitch +=
-        FLIGHT_STEP * within((pitch - f->pitch) / lag, -15 * FLIGHT_DEGREE, 15 * FLIGHT_DEGREE);
+        pitch = scalar_clamp(pitch, 0, 12 * FLIGHT_DEGREE);
+    f->pitch += FLIGHT_STEP *
+                scalar_clamp((pitch - f->pitch) / lag, -15 * FLIGHT_DEGREE, 15 * FLIGHT_DEGREE);
     f->bank +=
-        FLIGHT_STEP * within((bank - f->bank) / lag, -40 * FLIGHT_DEGREE, 40 * FLIGHT_DEGREE);
+        FLIGHT_STEP * scalar_clamp((bank - f->bank) / lag, -40 * FLIGHT_DEGREE, 40 * FLIGHT_DEGREE);
 }
 
 /* Forces along and across the path. */
@@ -95,7 +92,7 @@ static void fly(struct flight *f, struct forces n)
     float path = (up * cosf(f->bank) / MASS - GRAVITY * cosf(f->path)) / v;
     float heading = up * sinf(f->bank) / (MASS * v * cosf(f->path));
     f->speed = fmaxf(f->speed + FLIGHT_STEP * speed, 1);
-    f->path = within(f->path + FLIGHT_STEP * path, -70 * FLIGHT_DEGREE, 70 * FLIGHT_DEGREE);
+    f->path = scalar_clamp(f->path + FLIGHT_STEP * path, -70 * FLIGHT_DEGREE, 70 * FLIGHT_DEGREE);
     f->heading = flight_turn_to(0, f->heading + FLIGHT_STEP * heading);
 }
 
@@ -107,9 +104,9 @@ static void roll(struct flight *f, struct forces n)
     float push = n.thrust - n.drag;
     float pull = friction * weight;
     f->speed = fmaxf(f->speed + FLIGHT_STEP * (push - pull) / MASS, 0);
-    float turn = f->speed * tanf(within(f->stick.bank, -0.5f, 0.5f) * 0.3f) / wheelbase;
+    float turn = f->speed * tanf(scalar_clamp(f->stick.bank, -0.5f, 0.5f) * 0.3f) / wheelbase;
     float most = sideways / fmaxf(f->speed, 1);
-    f->heading = flight_turn_to(0, f->heading + FLIGHT_STEP * within(turn, -most, most));
+    f->heading = flight_turn_to(0, f->heading + FLIGHT_STEP * scalar_clamp(turn, -most, most));
     f->path = 0;
     if (n.lift + n.thrust * sinf(f->attack) > MASS * GRAVITY)
         f->phase = FLIGHT_AIRBORNE;
@@ -131,7 +128,7 @@ void flight_step(struct flight *f)
     if (f->phase == FLIGHT_CRASHED)
         return;
     follow_stick(f);
-    f->attack = within((f->pitch - f->path) / fmaxf(cosf(f->bank), 0.3f), -0.5f, 0.8f);
+    f->attack = scalar_clamp((f->pitch - f->path) / fmaxf(cosf(f->bank), 0.3f), -0.5f, 0.8f);
     f->stalled = f->phase == FLIGHT_AIRBORNE && f->attack > STALL;
     struct forces n = forces(f);
     if (f->phase == FLIGHT_ROLLING)

@@ -27,6 +27,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/geometry/vector.h"
 
 enum { TRIANGLE_LIMIT = 8192 };
@@ -58,17 +59,11 @@ struct gradient {
 /* Always: rows are short. */
 #define TRIANGLE_INLINE static inline __attribute__((always_inline))
 
-static inline int triangle_ceil(float v)
-{
-    int whole = (int)v;
-    return whole + ((float)whole < v);
-}
-
 /* Where the edge is in its first row that is shown, and what a row adds. */
 static inline int32_t triangle_edge(const struct shade_vertex *a, const struct shade_vertex *b,
                                     int32_t *step)
 {
-    int first = triangle_ceil(a->y);
+    int first = scalar_ceil(a->y);
     float start = (float)(first > 0 ? first : 0), slope = (b->x - a->x) / (b->y - a->y);
     float x = fmaf(slope, start - a->y, a->x);
     *step = b->y - start > 1 ? (int32_t)lrintf(slope * 65536) : 0;
@@ -107,7 +102,7 @@ static inline bool triangle_begin(struct triangle *t, int width, int height,
     t->abx = b->x - a->x, t->aby = b->y - a->y;
     t->acx = c->x - a->x, t->acy = c->y - a->y;
     float area = t->abx * t->acy - t->acx * t->aby;
-    int first = triangle_ceil(a->y), end = triangle_ceil(c->y);
+    int first = scalar_ceil(a->y), end = scalar_ceil(c->y);
     t->y = (first > 0 ? first : 0) - 1;
     t->end = end < height ? end : height;
     if (area == 0 || t->y + 1 >= t->end)
@@ -116,7 +111,7 @@ static inline bool triangle_begin(struct triangle *t, int width, int height,
     t->width = width;
     t->covered = 0;
     t->bends_left = area < 0;
-    t->middle = triangle_ceil(b->y);
+    t->middle = scalar_ceil(b->y);
     int32_t whole_step, whole = triangle_edge(a, c, &whole_step), part_step = 0, part = 0;
     if (t->middle > first && t->middle > 0) {
         part = triangle_edge(a, b, &part_step);

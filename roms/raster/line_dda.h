@@ -22,6 +22,7 @@
 
 #include <stdbool.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/raster/canvas.h"
 
 struct line_dda {
@@ -33,14 +34,6 @@ struct line_dda {
 
 void line_dda_begin(struct line_dda *l, int x0, int y0, int x1, int y1);
 
-/* The nearest whole number; a half goes up. */
-static inline int line_dda_round(float v)
-{
-    float moved = v + 0.5f;
-    int whole = (int)moved; /* toward 0 */
-    return whole - (moved < (float)whole);
-}
-
 /* Goes to the next pixel, at first to the first; false: there is none. */
 static inline bool line_dda_next(struct line_dda *l)
 {
@@ -50,8 +43,8 @@ static inline bool line_dda_next(struct line_dda *l)
         l->x += l->dx;
         l->y += l->dy;
     }
-    l->plot_x = line_dda_round(l->x);
-    l->plot_y = line_dda_round(l->y);
+    l->plot_x = scalar_nearest(l->x);
+    l->plot_y = scalar_nearest(l->y);
     return true;
 }
 

@@ -1,19 +1,14 @@
 #include "roms/raster/polygon_fill.h"
 
-_Static_assert(POLYGON_PARTS == 64, "shifts by 6");
+#include "roms/geometry/scalar.h"
 
-static int floor_of(float v)
-{
-    int i = (int)v;
-    return i - (v < (float)i);
-}
+_Static_assert(POLYGON_PARTS == 64, "shifts by 6");
 
 /* In 1/64 pixel. */
 static int32_t rounded(float v)
 {
     const float reach = POLYGON_REACH;
-    v = v > -reach ? v < reach ? v : reach : -reach; /* what is not a number is −reach */
-    return floor_of(v * POLYGON_PARTS + 0.5f);
+    return scalar_nearest(scalar_clamp(v, -reach, reach) * POLYGON_PARTS);
 }
 
 /* The first row at or below. */

@@ -3,6 +3,7 @@
 #include <stddef.h>
 
 #include "roms/bsp/csr.h"
+#include "roms/geometry/scalar.h"
 #include "roms/scenery/depth.h"
 #include "roms/scenery/workroom.h"
 #include "roms/solids/models.h"
@@ -92,14 +93,15 @@ static void clear_depth(const struct studio *s, const struct depth_buffer *depth
     const struct shade_vertex *v = s->view.vertex;
     float left = v->x, right = v->x, top = v->y, bottom = v->y;
     for (int i = 1; i < s->mesh.vertices; i++) {
-        left = smaller(left, v[i].x);
-        right = larger(right, v[i].x);
-        top = smaller(top, v[i].y);
-        bottom = larger(bottom, v[i].y);
+        left = scalar_min(left, v[i].x);
+        right = scalar_max(right, v[i].x);
+        top = scalar_min(top, v[i].y);
+        bottom = scalar_max(bottom, v[i].y);
     }
-    int x = (int)clamp(left, 0, (float)depth->width), y = (int)clamp(top, 0, (float)depth->height);
-    depth_clear_part(depth, x, y, (int)clamp(right, 0, (float)depth->width) + 1 - x,
-                     (int)clamp(bottom, 0, (float)depth->height) + 1 - y, -1e30f);
+    int x = (int)scalar_clamp(left, 0, (float)depth->width),
+        y = (int)scalar_clamp(top, 0, (float)depth->height);
+    depth_clear_part(depth, x, y, (int)scalar_clamp(right, 0, (float)depth->width) + 1 - x,
+                     (int)scalar_clamp(bottom, 0, (float)depth->height) + 1 - y, -1e30f);
 }
 
 struct studio_cost studio_shade(struct studio *s, const struct stage *stage,
