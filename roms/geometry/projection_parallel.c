@@ -46,7 +46,8 @@ bool projection_dimetric(float f, struct axonometric *out)
     if (!(f > 0 && f <= 1))
         return false;
     float sine_tilt = f * 0.70710678f, sine_turn = f / sqrtf(2 - f * f);
-    *out = projection_axonometric(-asinf(fminf(sine_turn, 1)) / DEGREE, asinf(sine_tilt) / DEGREE);
+    *out = projection_axonometric(-asinf(scalar_min(sine_turn, 1)) / DEGREE,
+                                  asinf(sine_tilt) / DEGREE);
     return true;
 }
 

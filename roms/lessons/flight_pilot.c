@@ -14,8 +14,7 @@ enum { WAYPOINTS = sizeof waypoints / sizeof waypoints[0] };
 
 static void hold_path(struct flight *f, float path)
 {
-    f->stick.pitch =
-        scalar_clamp(f->pitch + 1.2f * (path - f->path), -10 * FLIGHT_DEGREE, 14 * FLIGHT_DEGREE);
+    f->stick.pitch = scalar_clamp(f->pitch + 1.2f * (path - f->path), -10 * DEGREE, 14 * DEGREE);
 }
 
 static void hold_speed(struct flight *f, float speed)
@@ -26,7 +25,7 @@ static void hold_speed(struct flight *f, float speed)
 static void hold_heading(struct flight *f, float heading)
 {
     float turn = flight_turn_to(f->heading, heading);
-    f->stick.bank = scalar_clamp(1.6f * turn, -25 * FLIGHT_DEGREE, 25 * FLIGHT_DEGREE);
+    f->stick.bank = scalar_clamp(1.6f * turn, -25 * DEGREE, 25 * DEGREE);
 }
 
 /* To the runway's middle line. */
@@ -37,9 +36,9 @@ static void hold_line(struct flight *f)
 
 static void approach(struct pilot *p, struct flight *f)
 {
-    float glide = 3 * FLIGHT_DEGREE * (f->at.z + AIM);
+    float glide = 3 * DEGREE * (f->at.z + AIM);
     hold_line(f);
-    hold_path(f, -3 * FLIGHT_DEGREE + scalar_clamp(0.006f * (glide - f->at.y), -0.06f, 0.05f));
+    hold_path(f, -3 * DEGREE + scalar_clamp(0.006f * (glide - f->at.y), -0.06f, 0.05f));
     hold_speed(f, 34);
     if (f->at.y < 7)
         p->task = PILOT_FLARE;
@@ -48,7 +47,7 @@ static void approach(struct pilot *p, struct flight *f)
 static void flare(struct pilot *p, struct flight *f)
 {
     hold_line(f);
-    f->stick.bank = scalar_clamp(f->stick.bank, -5 * FLIGHT_DEGREE, 5 * FLIGHT_DEGREE);
+    f->stick.bank = scalar_clamp(f->stick.bank, -5 * DEGREE, 5 * DEGREE);
     hold_path(f, -(0.4f + 0.22f * f->at.y) / fmaxf(f->speed, 10));
     f->stick.throttle = 0;
     if (f->phase == FLIGHT_ROLLING)
@@ -78,11 +77,11 @@ static void take_off(struct pilot *p, struct flight *f)
     f->stick.brakes = false;
     if (f->phase == FLIGHT_ROLLING) {
         steer(f);
-        f->stick.pitch = f->speed > 28 ? 9 * FLIGHT_DEGREE : 0;
+        f->stick.pitch = f->speed > 28 ? 9 * DEGREE : 0;
         return;
     }
     hold_line(f);
-    hold_path(f, 5 * FLIGHT_DEGREE);
+    hold_path(f, 5 * DEGREE);
     if (f->at.y > 60) {
         p->task = PILOT_CIRCUIT;
         p->waypoint = 0;
@@ -103,7 +102,7 @@ static void circuit(struct pilot *p, struct flight *f)
 void pilot_takes_over(struct pilot *p, const struct flight *f)
 {
     bool ahead =
-        f->at.z > 300 && fabsf(f->at.x) < 0.2f * f->at.z && fabsf(f->heading) < 40 * FLIGHT_DEGREE;
+        f->at.z > 300 && fabsf(f->at.x) < 0.2f * f->at.z && fabsf(f->heading) < 40 * DEGREE;
     *p = (struct pilot){.task = ahead ? PILOT_APPROACH : PILOT_CIRCUIT, .waypoint = 0};
     if (f->phase == FLIGHT_ROLLING)
         p->task = PILOT_ROLL_OUT;

@@ -50,7 +50,7 @@ static void take_over(struct state *s)
 
 static bool move_stick(struct flight_stick *k, int key)
 {
-    const float nose = 1.5f * FLIGHT_DEGREE, wing = 5 * FLIGHT_DEGREE;
+    const float nose = 1.5f * DEGREE, wing = 5 * DEGREE;
     switch (key) {
     case KEY_UP:
     case 'w':

@@ -149,7 +149,7 @@ static float distance_to_line(struct point2 p, struct point2 a, struct point2 b)
 {
     float dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
     float t = square > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0;
-    t = fminf(fmaxf(t, 0), 1);
+    t = scalar_min(scalar_max(t, 0), 1);
     return hypotf(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
@@ -165,8 +165,9 @@ static bool inside(struct point2 p, const struct point2 *q, int count)
 
 static float distance_to_text(struct point2 p, struct point2 at, const char *text)
 {
-    struct point2 near = {fminf(fmaxf(p.x, at.x), at.x + (float)(strlen(text) * STAGE_CHARACTER)),
-                          fminf(fmaxf(p.y, at.y), at.y + STAGE_CHARACTER)};
+    struct point2 near = {
+        scalar_min(scalar_max(p.x, at.x), at.x + (float)(strlen(text) * STAGE_CHARACTER)),
+        scalar_min(scalar_max(p.y, at.y), at.y + STAGE_CHARACTER)};
     return hypotf(p.x - near.x, p.y - near.y);
 }
 
@@ -185,7 +186,7 @@ static float distance(struct point2 place, const struct segment_primitive *p)
                            : i + 1 < p->count ? p->at[i + 1]
                            : goes_round       ? p->at[0]
                                               : p->at[i];
-        nearest = fminf(nearest, distance_to_line(place, p->at[i], to));
+        nearest = scalar_min(nearest, distance_to_line(place, p->at[i], to));
     }
     return nearest;
 }
