@@ -31,6 +31,8 @@
 #include "roms/geometry/vector.h"
 
 enum { TRIANGLE_LIMIT = 8192 };
+/* An edge less high than this counts as upright: beside it a slope is beyond floats. */
+#define TRIANGLE_LOWEST 1e-30f
 
 /* A corner: where it is on the canvas and how near (depth_buffer.h), and what it is in space. */
 struct shade_vertex {
@@ -64,7 +66,8 @@ static inline int32_t triangle_edge(const struct shade_vertex *a, const struct s
                                     int32_t *step)
 {
     int first = scalar_ceil(a->y);
-    float start = (float)(first > 0 ? first : 0), slope = (b->x - a->x) / (b->y - a->y);
+    float start = (float)(first > 0 ? first : 0), down = b->y - a->y;
+    float slope = down > TRIANGLE_LOWEST ? (b->x - a->x) / down : 0;
     float x = fmaf(slope, start - a->y, a->x);
     *step = b->y - start > 1 ? (int32_t)lrintf(slope * 65536) : 0;
     return (int32_t)(x * 65536);
