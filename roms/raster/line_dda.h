@@ -8,12 +8,12 @@
  *             rounded, a half upward, for each pixel. From the first end to the last, both drawn.
  * Cost:       a pixel: 2 float additions, 2 roundings (a float addition, a conversion and its
  *             correction each). A line: 2 float divisions.
- * Domain:     coordinates within ±2^22. What n additions lose adds up to n / 2 units of the last
+ * Domain:     coordinates within ±LINE_DDA_FARTHEST. What n additions lose adds up to n / 2 units of the last
  *             binary place of the greatest coordinate: below 2^13 at most 2^-12 a step, so that
  *             long lines drift away.
  * Units:      pixels; cases are named for y up.
  * Ownership:  plain values.
- * Errors:     none. A line of length 0 is a pixel.
+ * Errors:     lines with an end farther out are not drawn. A line of length 0 is a pixel.
  * Source:     J. D. Foley et al., Computer Graphics (1990), section 3.2.1; the name is that of
  *             machines that integrated by adding, such as MADDIDA (1949).
  */
@@ -24,6 +24,8 @@
 
 #include "roms/geometry/scalar.h"
 #include "roms/raster/canvas.h"
+
+enum { LINE_DDA_FARTHEST = 1 << 22 };
 
 struct line_dda {
     float x, y;         /* not rounded, after line_dda_next */
