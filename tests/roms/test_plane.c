@@ -263,11 +263,6 @@ static void windows_zoom_and_pan(void **state)
     struct clip_window z = window_zoom(&w, 2), p = window_pan(&w, 5, -1);
     assert_true(z.x_min == 15 && z.x_max == 25 && z.y_min == 30 && z.y_max == 50);
     assert_true(p.x_min == 15 && p.x_max == 35 && p.y_min == 19 && p.y_max == 59);
-    const struct clip_window wide = {0, 0, 8, 4};
-    struct clip_window f = viewport_fitted(&w, &wide);
-    assert_true(f.x_min == 3 && f.x_max == 5 && f.y_min == 0 && f.y_max == 4);
-    f = viewport_fitted(&wide, &w);
-    assert_true(f.x_min == 10 && f.x_max == 30 && f.y_min == 35 && f.y_max == 45);
 }
 
 static void empty_windows_are_refused(void **state)
