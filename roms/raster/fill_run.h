@@ -3,7 +3,7 @@
  *      at ─▶ ·· ████ ████ ████ … ████ · ◀─ end      bytes up to the first whole word, words, bytes
  *
  * Models:     the inner loop of everything that fills: rectangles, polygons, depth buffers.
- * Cost:       8 words take 11 instructions, a single word, half or byte 3.
+ * Cost:       8 words take about 12 instructions, a single word, half or byte about 4.
  * Domain:     what is larger than a byte lies where its size divides the address.
  * Units:      words of 32 bits, the value repeated in them.
  * Ownership:  nothing.
