@@ -26,18 +26,6 @@ struct clip_window window_zoom(const struct clip_window *w, float factor)
     return (struct clip_window){x - across, y - up, x + across, y + up};
 }
 
-struct clip_window viewport_fitted(const struct clip_window *w, const struct clip_window *v)
-{
-    float width = v->x_max - v->x_min, height = v->y_max - v->y_min;
-    float across = w->x_max - w->x_min, up = w->y_max - w->y_min;
-    if (width * up > height * across)
-        width = height * across / up;
-    else if (across > 0)
-        height = width * up / across;
-    float x = (v->x_min + v->x_max) / 2, y = (v->y_min + v->y_max) / 2;
-    return (struct clip_window){x - width / 2, y - height / 2, x + width / 2, y + height / 2};
-}
-
 bool view_frame(struct point2 origin, struct point2 up, struct matrix3 *out)
 {
     float length = hypotf(up.x, up.y);

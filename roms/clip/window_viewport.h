@@ -30,9 +30,6 @@ struct clip_window window_pan(const struct clip_window *window, float dx, float 
 /* The window made smaller about its middle: a factor above 1 enlarges the picture; must not be
  * 0. */
 struct clip_window window_zoom(const struct clip_window *window, float factor);
-/* The largest part of the viewport, in its middle, that has the window's shape. */
-struct clip_window viewport_fitted(const struct clip_window *window,
-                                   const struct clip_window *viewport);
 
 /* A viewing frame: world to view. Its origin is at `origin`, its y axis along `up` of any
  * length. */

@@ -4,6 +4,7 @@
 
 #include <stdio.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/monitor/stepper.h"
 #include "roms/raster/circle_midpoint.h"
 #include "roms/raster/circle_midpoint_side.h"
@@ -191,7 +192,7 @@ static void ideal(const void *state, const struct grid *grid)
 {
     const struct round *r = state;
     int sides = r->rx + r->ry < 100 ? 72 : 360;
-    float turn = 6.2831853f / (float)sides;
+    float turn = TURN / (float)sides;
     for (int i = 0; i < sides; i++) {
         float a = turn * (float)i, b = turn * (float)(i + 1);
         grid_line(grid, (float)r->xc + (float)r->rx * cosf(a),

@@ -5,6 +5,7 @@
 #include "roms/bsp/board.h"
 #include "roms/bsp/csr.h"
 #include "roms/commands/cost.h"
+#include "roms/geometry/scalar.h"
 #include "roms/scenery/studio.h"
 #include "roms/light/shade.h"
 #include "roms/raster/circle_midpoint.h"
@@ -79,7 +80,7 @@ static void star(const struct canvas *c)
 {
     struct point2 corners[5];
     for (int i = 0; i < 5; i++) {
-        float angle = 6.2831853f * (float)(2 * i) / 5;
+        float angle = TURN * (float)(2 * i) / 5;
         corners[i] = (struct point2){X + RADIUS * sinf(angle), Y - RADIUS * cosf(angle)};
     }
     canvas_polygon(c, corners, 5, POLYGON_NON_ZERO, INK_GREEN);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "roms/commands/light.h"
+#include "roms/geometry/scalar.h"
 #include "roms/scenery/studio.h"
 #include "roms/light/fresnel.h"
 #include "roms/monitor/print.h"
@@ -159,7 +160,7 @@ bool light_material(struct monitor *m, struct words *w)
 
 static void fresnel_row(float index, float degrees)
 {
-    float cosine = degrees == 90 ? 0 : cosf(degrees * (3.14159265f / 180));
+    float cosine = degrees == 90 ? 0 : cosf(degrees * DEGREE);
     printf("%8.4f %8.4f %8.4f\n", print_tidy(degrees), print_tidy(fresnel(index, cosine)),
            print_tidy(fresnel_schlick(index, cosine)));
 }

@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "roms/commands/circles.h"
+#include "roms/geometry/scalar.h"
 #include "roms/monitor/command.h"
 #include "roms/monitor/print.h"
 #include "roms/monitor/stepper.h"
@@ -161,16 +162,6 @@ static void tell(const struct line *line)
         printf("A tie, p = 0, stays on the way back: both ways light the same pixels.\n");
 }
 
-static int lower(int a, int b)
-{
-    return a < b ? a : b;
-}
-
-static int higher(int a, int b)
-{
-    return a > b ? a : b;
-}
-
 static bool line(struct monitor *m, struct words *w)
 {
     static const char *const names[] = {"dda", "integer", "bresenham", NULL};
@@ -201,10 +192,10 @@ static bool line(struct monitor *m, struct words *w)
              state.y0, state.x1, state.y1);
     struct stepper stepper = ways[which];
     stepper.title = title;
-    stepper.x0 = lower(state.x0, state.x1);
-    stepper.y0 = lower(state.y0, state.y1);
-    stepper.x1 = higher(state.x0, state.x1);
-    stepper.y1 = higher(state.y0, state.y1);
+    stepper.x0 = scalar_min_int(state.x0, state.x1);
+    stepper.y0 = scalar_min_int(state.y0, state.y1);
+    stepper.x1 = scalar_max_int(state.x0, state.x1);
+    stepper.y1 = scalar_max_int(state.y0, state.y1);
     stepper.ideal = ideal;
     stepper.caption = "White: the ideal line. Lit: the pixel nearest to it at each step.";
     stepper.state = &state;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "roms/commands/flat_words.h"
+#include "roms/geometry/scalar.h"
 #include "roms/geometry/transform2.h"
 #include "roms/monitor/print.h"
 
@@ -136,7 +137,7 @@ static bool reflect_line(struct words *w, struct plane_op *o)
     float v[2];
     if (!flat_numbers(w, v, 2))
         return false;
-    float degrees = atanf(v[0]) * 57.29578f;
+    float degrees = atanf(v[0]) / DEGREE;
     o->step[0] = translation(0, -v[1]);
     o->step[1] = rotation(-degrees);
     o->step[2] = step(transform2_reflect(MIRROR_X_AXIS), "reflect in the x axis");

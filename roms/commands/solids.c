@@ -423,17 +423,12 @@ static bool inside(struct monitor *m, struct words *w)
 {
     const struct object *o = present_object();
     float v[3];
-    int outside = 0, first = -1;
+    int first = -1;
     (void)m;
     if (!words_numbers(w, v, 3) || !words_end(w))
         return false;
     struct vector3 at = {v[0], v[1], v[2]};
-    for (int i = 0; i < o->polygons; i++) {
-        struct plane p = plane_of_polygon(o, i);
-        if (plane_value(&p, at) <= 0)
-            continue;
-        first = outside++ == 0 ? i : first;
-    }
+    int outside = solid_planes_outside(o, at, &first);
     print_vector3(at);
     if (outside == 0)
         printf(": inside of all %d planes; within the solid if it is convex\n", o->polygons);

@@ -40,12 +40,3 @@ void casteljau_halves(const struct casteljau *c, struct vector3 *left, struct ve
         right[i] = casteljau_at(c, n - i, i);
     }
 }
-
-struct vector3 casteljau_point(const struct vector3 *points, int count, float u)
-{
-    struct casteljau c;
-    casteljau_begin(&c, points, count, u);
-    while (casteljau_next(&c))
-        continue;
-    return casteljau_at(&c, count - 1, 0);
-}

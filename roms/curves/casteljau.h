@@ -39,6 +39,5 @@ bool casteljau_next(struct casteljau *c);
 struct vector3 casteljau_at(const struct casteljau *c, int level, int i);
 /* The control points of both parts, after the last level; `count` each. */
 void casteljau_halves(const struct casteljau *c, struct vector3 *left, struct vector3 *right);
-struct vector3 casteljau_point(const struct vector3 *points, int count, float u);
 
 #endif

@@ -1,9 +1,6 @@
 #include "roms/curves/continuity.h"
 
-static float larger(float a, float b)
-{
-    return a > b ? a : b;
-}
+#include "roms/geometry/scalar.h"
 
 static float distance_of(struct vector3 a, struct vector3 b)
 {
@@ -19,11 +16,12 @@ static float rounding(float distance, int order)
 
 static void parametric(const struct join *j, struct continuity *c)
 {
-    float length[3], distance = larger(vector3_length(j->p[0]), vector3_length(j->q[0]));
+    float length[3], distance = scalar_max(vector3_length(j->p[0]), vector3_length(j->q[0]));
     for (int n = 0; n < 3; n++) {
-        length[n] = larger(vector3_length(j->p[n]), vector3_length(j->q[n]));
+        length[n] = scalar_max(vector3_length(j->p[n]), vector3_length(j->q[n]));
         c->apart[n] = distance_of(j->q[n], j->p[n]);
-        c->allowed[n] = CONTINUITY_TOLERANCE * length[n] + rounding(larger(distance, length[1]), n);
+        c->allowed[n] =
+            CONTINUITY_TOLERANCE * length[n] + rounding(scalar_max(distance, length[1]), n);
     }
     c->allowed[0] = CONTINUITY_TOLERANCE * length[1] + rounding(distance, 0);
     c->c0 = c->apart[0] <= c->allowed[0];
@@ -35,9 +33,9 @@ static void parametric(const struct join *j, struct continuity *c)
 static bool no_direction(const struct join *j)
 {
     float p = vector3_length(j->p[1]), q = vector3_length(j->q[1]), shorter = p < q ? p : q;
-    float bend = larger(vector3_length(j->p[2]), vector3_length(j->q[2]));
-    float far = larger(vector3_length(j->p[0]), vector3_length(j->q[0]));
-    return shorter <= rounding(far, 1) || shorter <= CONTINUITY_SHORTEST * larger(p, q) ||
+    float bend = scalar_max(vector3_length(j->p[2]), vector3_length(j->q[2]));
+    float far = scalar_max(vector3_length(j->p[0]), vector3_length(j->q[0]));
+    return shorter <= rounding(far, 1) || shorter <= CONTINUITY_SHORTEST * scalar_max(p, q) ||
            shorter <= CONTINUITY_SHORTEST * CONTINUITY_SHORTEST * bend || shorter < 1e-15f;
 }
 
@@ -56,8 +54,8 @@ static void geometric(const struct join *j, struct continuity *c)
     c->m = vector3_dot(rest, j->p[1]) / square;
     c->off[2] = distance_of(rest, vector3_times(j->p[1], c->m));
     c->off_allowed[2] =
-        larger(c->allowed[2],
-               CONTINUITY_TOLERANCE * larger(vector3_length(bent), vector3_length(j->q[2])));
+        scalar_max(c->allowed[2], CONTINUITY_TOLERANCE *
+                                      scalar_max(vector3_length(bent), vector3_length(j->q[2])));
     c->g1 = c->g0 && c->k > 0 && c->off[1] <= c->off_allowed[1];
     c->g2 = c->g1 && c->off[2] <= c->off_allowed[2];
 }

@@ -1,11 +1,7 @@
 #include "roms/curves/key_frames.h"
 
 #include "roms/curves/spline.h"
-
-static float within(float v, float low, float high)
-{
-    return v < low ? low : v > high ? high : v;
-}
+#include "roms/geometry/scalar.h"
 
 /* From 0 to 1, slowly at both ends. */
 static float slow_ends(float s)
@@ -39,7 +35,7 @@ static void spline_weights(int keys, float t, float weight[])
 
 void key_weights(enum key_path path, int keys, float t, float weight[])
 {
-    t = within(t, 0, (float)(keys - 1));
+    t = scalar_clamp(t, 0, (float)(keys - 1));
     if (path == KEY_SPLINE) {
         spline_weights(keys, t, weight);
         return;
@@ -54,7 +50,7 @@ void key_weights(enum key_path path, int keys, float t, float weight[])
 float key_time(enum key_timing timing, int keys, float time)
 {
     float spans = (float)(keys - 1);
-    time = within(time, 0, 1);
+    time = scalar_clamp(time, 0, 1);
     if (timing == KEY_EASE)
         return slow_ends(time) * spans;
     float t = time * spans;

@@ -2,9 +2,8 @@
 
 #include <math.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/geometry/transform3.h"
-
-#define DEGREES 57.29577951f
 
 struct matrix4 projection_elevation(enum elevation from)
 {
@@ -30,7 +29,7 @@ struct axonometric projection_axonometric(float turn, float tilt)
     a.matrix = matrix4_product(&about_x, &about_y);
     for (int i = 0; i < 3; i++) {
         float x = a.matrix.at[0][i], y = a.matrix.at[1][i];
-        float angle = x == 0 && y == 0 ? 0 : atan2f(y, x) * DEGREES;
+        float angle = x == 0 && y == 0 ? 0 : atan2f(y, x) / DEGREE;
         a.factor[i] = sqrtf(x * x + y * y);
         a.angle[i] = angle < 0 ? angle + 360 : angle;
     }
@@ -47,17 +46,16 @@ bool projection_dimetric(float f, struct axonometric *out)
     if (!(f > 0 && f <= 1))
         return false;
     float sine_tilt = f * 0.70710678f, sine_turn = f / sqrtf(2 - f * f);
-    *out =
-        projection_axonometric(-asinf(fminf(sine_turn, 1)) * DEGREES, asinf(sine_tilt) * DEGREES);
+    *out = projection_axonometric(-asinf(scalar_min(sine_turn, 1)) / DEGREE,
+                                  asinf(sine_tilt) / DEGREE);
     return true;
 }
 
 struct matrix4 projection_oblique(float degrees, float factor)
 {
-    float sine, cosine;
+    struct sine_cosine of = scalar_sine_cosine(degrees);
     struct matrix4 m = matrix4_identity();
-    transform3_sine_cosine(degrees, &sine, &cosine);
-    m.at[0][2] = factor * cosine;
-    m.at[1][2] = factor * sine;
+    m.at[0][2] = factor * of.cosine;
+    m.at[1][2] = factor * of.sine;
     return m;
 }

@@ -2,23 +2,7 @@
 
 #include <math.h>
 
-struct point2 transform2_direction(float degrees)
-{
-    float turn = fmodf(degrees, 360.0f); /* exact */
-    float quarter = roundf(turn / 90.0f);
-    float rest = (turn - 90.0f * quarter) * 0.017453292f /* π/180 */;
-    float c = cosf(rest), s = sinf(rest);
-    switch ((int)quarter & 3) {
-    case 1:
-        return (struct point2){0 - s, c};
-    case 2:
-        return (struct point2){-c, 0 - s};
-    case 3:
-        return (struct point2){s, -c};
-    default:
-        return (struct point2){c, s};
-    }
-}
+#include "roms/geometry/scalar.h"
 
 struct matrix3 transform2_translate(float tx, float ty)
 {
@@ -27,8 +11,8 @@ struct matrix3 transform2_translate(float tx, float ty)
 
 struct matrix3 transform2_rotate(float degrees)
 {
-    struct point2 d = transform2_direction(degrees);
-    return (struct matrix3){{{d.x, 0 - d.y, 0}, {d.y, d.x, 0}, {0, 0, 1}}};
+    struct sine_cosine d = scalar_sine_cosine(degrees);
+    return (struct matrix3){{{d.cosine, 0 - d.sine, 0}, {d.sine, d.cosine, 0}, {0, 0, 1}}};
 }
 
 struct matrix3 transform2_scale(float sx, float sy)
@@ -60,9 +44,9 @@ struct matrix3 transform2_shear_y(float k, float x0)
 
 struct matrix3 transform2_rotate_about(float degrees, struct point2 p)
 {
-    struct point2 d = transform2_direction(degrees);
-    return (struct matrix3){{{d.x, 0 - d.y, p.x * (1 - d.x) + p.y * d.y},
-                             {d.y, d.x, p.y * (1 - d.x) - p.x * d.y},
+    struct sine_cosine d = scalar_sine_cosine(degrees);
+    return (struct matrix3){{{d.cosine, 0 - d.sine, p.x * (1 - d.cosine) + p.y * d.sine},
+                             {d.sine, d.cosine, p.y * (1 - d.cosine) - p.x * d.sine},
                              {0, 0, 1}}};
 }
 

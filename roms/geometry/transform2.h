@@ -24,9 +24,6 @@
 
 enum mirror2 { MIRROR_X_AXIS, MIRROR_Y_AXIS, MIRROR_ORIGIN, MIRROR_Y_IS_X, MIRROR_Y_IS_MINUS_X };
 
-/* Cosine and sine of an angle in degrees. */
-struct point2 transform2_direction(float degrees);
-
 struct matrix3 transform2_translate(float tx, float ty);
 struct matrix3 transform2_rotate(float degrees);
 struct matrix3 transform2_scale(float sx, float sy);

@@ -2,33 +2,14 @@
 
 #include <math.h>
 
+#include "roms/geometry/scalar.h"
+
 void transform3_step(struct transform3 *t, const char *name, struct matrix4 matrix)
 {
     t->step[t->steps].name = name;
     t->step[t->steps].matrix = matrix;
     t->matrix = t->steps == 0 ? matrix : matrix4_product(&matrix, &t->matrix);
     t->steps++;
-}
-
-void transform3_sine_cosine(float degrees, float *sine, float *cosine)
-{
-    float turn = fmodf(degrees, 360); /* exact */
-    float quarter = floorf(turn / 90 + 0.5f);
-    float rest = (turn - quarter * 90) * 0.01745329252f;
-    float s = sinf(rest), c = cosf(rest);
-    switch ((int)quarter & 3) {
-    case 0:
-        *sine = s, *cosine = c;
-        break;
-    case 1:
-        *sine = c, *cosine = -s;
-        break;
-    case 2:
-        *sine = -s, *cosine = -c;
-        break;
-    default:
-        *sine = -c, *cosine = s;
-    }
 }
 
 struct matrix4 transform3_translate(struct vector3 by)
@@ -53,9 +34,8 @@ struct matrix4 transform3_turn(enum axis3 axis, float sine, float cosine)
 
 struct matrix4 transform3_rotate(enum axis3 axis, float degrees)
 {
-    float sine, cosine;
-    transform3_sine_cosine(degrees, &sine, &cosine);
-    return transform3_turn(axis, sine, cosine);
+    struct sine_cosine of = scalar_sine_cosine(degrees);
+    return transform3_turn(axis, of.sine, of.cosine);
 }
 
 struct matrix4 transform3_reflect_axis(enum axis3 axis)

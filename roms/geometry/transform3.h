@@ -40,8 +40,6 @@ struct transform3 {
 /* Appends a step; there must be room. */
 void transform3_step(struct transform3 *t, const char *name, struct matrix4 matrix);
 
-void transform3_sine_cosine(float degrees, float *sine, float *cosine);
-
 struct matrix4 transform3_translate(struct vector3 by);
 struct matrix4 transform3_scale(struct vector3 factors);
 struct matrix4 transform3_rotate(enum axis3 axis, float degrees);

@@ -1,6 +1,7 @@
 /* areas_lines.c — scene: attributes of lines: width, caps, joins, dashes, antialiasing. */
 #include <math.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/areas.h"
 #include "roms/raster/line_antialiased.h"
 #include "roms/raster/line_dashed.h"
@@ -93,7 +94,7 @@ static void spokes(struct stage *s, float x, float y, float r, float turn, bool 
         ramp[i] = ink_shade(RAMP_GREY, (float)i / (INK_LEVELS - 1));
     stage_ink(s, INK_BRIGHT);
     for (int i = 0; i < SPOKES; i++) {
-        float angle = turn + 3.14159265f * 2 * (float)i / SPOKES;
+        float angle = turn + TURN * (float)i / SPOKES;
         struct point2 a = {x + 30 * cosf(angle), y + 30 * sinf(angle)};
         struct point2 b = {x + r * cosf(angle), y + r * sinf(angle)};
         if (smooth) {

@@ -2,11 +2,10 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/areas.h"
 #include "roms/raster/polygon_fill.h"
 #include "roms/stage/grid.h"
-
-static const float pi = 3.14159265f;
 
 /* ---- scan lines ------------------------------------------------------------------------------ */
 
@@ -102,7 +101,7 @@ void areas_scan_lines(struct stage *s, float seconds)
 static int star(struct point2 *p, int points, int skip, float x, float y, float r, float turn)
 {
     for (int i = 0; i < points; i++) {
-        float angle = pi / 2 + turn + 2 * pi * (float)(i * skip % points) / (float)points;
+        float angle = PI / 2 + turn + TURN * (float)(i * skip % points) / (float)points;
         p[i] = (struct point2){x + r * cosf(angle), y + r * sinf(angle)};
     }
     return points;

@@ -2,6 +2,7 @@
  * regions. */
 #include <stdio.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/lesson.h"
 #include "roms/raster/circle_midpoint.h"
 #include "roms/raster/circle_midpoint_side.h"
@@ -200,7 +201,7 @@ static void draw_ideal(const struct rounds *c, const struct grid *g)
 {
     struct point2 last = {(float)rx(c), 0};
     for (int i = 1; i <= SIDES; i++) {
-        float angle = 6.2831853f / SIDES * (float)i;
+        float angle = TURN / SIDES * (float)i;
         struct point2 at = {(float)rx(c) * cosf(angle), (float)ry(c) * sinf(angle)};
         grid_line(g, last.x, last.y, at.x, at.y, INK_BRIGHT);
         last = at;

@@ -5,6 +5,7 @@
 #include "roms/clip/edge.h"
 #include "roms/clip/sutherland_hodgman.h"
 #include "roms/clip/text.h"
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/clipping.h"
 #include "roms/lessons/large_text.h"
 #include "roms/raster/font.h"
@@ -19,7 +20,7 @@ enum { POINTS = 7, CORNERS = 2 * POINTS, PASSES = 4 };
 static void star(struct point2 *p, float angle)
 {
     for (int i = 0; i < CORNERS; i++) {
-        float a = angle + (float)i * (float)(6.2831853 / CORNERS), r = i % 2 ? 150 : 370;
+        float a = angle + (float)i * (TURN / CORNERS), r = i % 2 ? 150 : 370;
         p[i] = (struct point2){420 + r * cosf(a), 400 + r * sinf(a)};
     }
 }

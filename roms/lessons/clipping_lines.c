@@ -4,6 +4,7 @@
 
 #include "roms/clip/cohen_sutherland.h"
 #include "roms/clip/liang_barsky.h"
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/clipping.h"
 #include "roms/lessons/large_text.h"
 
@@ -224,7 +225,7 @@ float clipping_fan(struct stage *s, float since)
     int accepted = 0, clipped = 0, rejected = 0;
     char text[24];
     for (int i = 0; i < RAYS; i++) {
-        float angle = ((float)i + since) * (float)(6.2831853 / RAYS);
+        float angle = ((float)i + since) * (TURN / RAYS);
         struct point2 a = {from.x + 60 * cosf(angle), from.y + 60 * sinf(angle)};
         struct point2 b = {from.x + 380 * cosf(angle), from.y + 380 * sinf(angle)};
         const struct point2 whole[2] = {a, b};

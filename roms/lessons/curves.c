@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/lesson.h"
 
 static const struct curves_page *const pages[] = {
@@ -92,7 +93,7 @@ static void run(struct curves_lesson *l)
                                        page->start[i].y + 40 * away * sinf(1.3f * phase + 1), 0};
     }
     if (!l->set)
-        v->value = 0.5f - 0.5f * cosf(t * 6.2831853f / page->period);
+        v->value = 0.5f - 0.5f * cosf(t * TURN / page->period);
 }
 
 static float draw(void *state, struct stage *s, float seconds)

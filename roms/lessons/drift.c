@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/lesson.h"
 #include "roms/raster/line_antialiased.h"
 #include "roms/raster/line_bresenham.h"
@@ -241,8 +242,8 @@ static void small_line(uint8_t *pixels, float angle, bool smooth)
         canvas_line_antialiased(&c, middle - dx, middle - dy, middle + dx, middle + dy, ramp,
                                 SHADES);
     else
-        canvas_line(&c, line_dda_round(middle - dx), line_dda_round(middle - dy),
-                    line_dda_round(middle + dx), line_dda_round(middle + dy), SHADES - 1);
+        canvas_line(&c, scalar_nearest(middle - dx), scalar_nearest(middle - dy),
+                    scalar_nearest(middle + dx), scalar_nearest(middle + dy), SHADES - 1);
 }
 
 /* The same as it is on the glass: pixel for pixel, three times, on the raster head. */
@@ -258,8 +259,8 @@ static void real_lines(struct stage *stage, float left, float angle, bool smooth
         if (smooth)
             canvas_line_antialiased(&stage->canvas, x0, y0, x1, y1, ramp, SHADES);
         else
-            canvas_line(&stage->canvas, line_dda_round(x0), line_dda_round(y0), line_dda_round(x1),
-                        line_dda_round(y1), ramp[SHADES - 1]);
+            canvas_line(&stage->canvas, scalar_nearest(x0), scalar_nearest(y0), scalar_nearest(x1),
+                        scalar_nearest(y1), ramp[SHADES - 1]);
     }
 }
 

@@ -2,7 +2,8 @@
 
 #include <math.h>
 
-#define PI       3.14159265f
+#include "roms/geometry/scalar.h"
+
 #define MASS     1043.0f
 #define GRAVITY  9.81f
 #define DENSITY  1.225f
@@ -11,20 +12,15 @@
 #define LIFT_A   5.14f
 #define DRAG_0   0.031f
 #define DRAG_K   0.058f
-#define STALL    (15 * FLIGHT_DEGREE)
+#define STALL    (15 * DEGREE)
 #define THRUST_0 2400.0f
 #define POWER    (0.75f * 119000)
 #define HARD     3.0f /* m/s that the wheels stand */
 
-static float within(float v, float low, float high)
-{
-    return v < low ? low : v > high ? high : v;
-}
-
 float flight_turn_to(float from, float to)
 {
-    float turn = fmodf(to - from, 2 * PI);
-    return turn > PI ? turn - 2 * PI : turn < -PI ? turn + 2 * PI : turn;
+    float turn = fmodf(to - from, TURN);
+    return turn > PI ? turn - TURN : turn < -PI ? turn + TURN : turn;
 }
 
 float flight_lift_coefficient(float attack)
@@ -55,7 +51,7 @@ void flight_on_approach(struct flight *f, float before, float aside)
 {
     *f = (struct flight){.at = {aside, 12 + before * 0.0524f, before},
                          .speed = 35,
-                         .path = -3 * FLIGHT_DEGREE,
+                         .path = -3 * DEGREE,
                          .phase = FLIGHT_AIRBORNE,
                          .stick = {.throttle = 0.3f}};
 }
@@ -64,14 +60,12 @@ void flight_on_approach(struct flight *f, float before, float aside)
 static void follow_stick(struct flight *f)
 {
     const float lag = 0.4f;
-    float pitch = f->stalled ? fminf(f->stick.pitch, f->pitch - 4 * FLIGHT_DEGREE) : f->stick.pitch;
+    float pitch = f->stalled ? fminf(f->stick.pitch, f->pitch - 4 * DEGREE) : f->stick.pitch;
     float bank = f->phase == FLIGHT_ROLLING ? 0 : f->stick.bank;
     if (f->phase == FLIGHT_ROLLING)
-        pitch = within(pitch, 0, 12 * FLIGHT_DEGREE);
-    f->pitch +=
-        FLIGHT_STEP * within((pitch - f->pitch) / lag, -15 * FLIGHT_DEGREE, 15 * FLIGHT_DEGREE);
-    f->bank +=
-        FLIGHT_STEP * within((bank - f->bank) / lag, -40 * FLIGHT_DEGREE, 40 * FLIGHT_DEGREE);
+        pitch = scalar_clamp(pitch, 0, 12 * DEGREE);
+    f->pitch += FLIGHT_STEP * scalar_clamp((pitch - f->pitch) / lag, -15 * DEGREE, 15 * DEGREE);
+    f->bank += FLIGHT_STEP * scalar_clamp((bank - f->bank) / lag, -40 * DEGREE, 40 * DEGREE);
 }
 
 /* Forces along and across the path. */
@@ -95,7 +89,7 @@ static void fly(struct flight *f, struct forces n)
     float path = (up * cosf(f->bank) / MASS - GRAVITY * cosf(f->path)) / v;
     float heading = up * sinf(f->bank) / (MASS * v * cosf(f->path));
     f->speed = fmaxf(f->speed + FLIGHT_STEP * speed, 1);
-    f->path = within(f->path + FLIGHT_STEP * path, -70 * FLIGHT_DEGREE, 70 * FLIGHT_DEGREE);
+    f->path = scalar_clamp(f->path + FLIGHT_STEP * path, -70 * DEGREE, 70 * DEGREE);
     f->heading = flight_turn_to(0, f->heading + FLIGHT_STEP * heading);
 }
 
@@ -107,9 +101,9 @@ static void roll(struct flight *f, struct forces n)
     float push = n.thrust - n.drag;
     float pull = friction * weight;
     f->speed = fmaxf(f->speed + FLIGHT_STEP * (push - pull) / MASS, 0);
-    float turn = f->speed * tanf(within(f->stick.bank, -0.5f, 0.5f) * 0.3f) / wheelbase;
+    float turn = f->speed * tanf(scalar_clamp(f->stick.bank, -0.5f, 0.5f) * 0.3f) / wheelbase;
     float most = sideways / fmaxf(f->speed, 1);
-    f->heading = flight_turn_to(0, f->heading + FLIGHT_STEP * within(turn, -most, most));
+    f->heading = flight_turn_to(0, f->heading + FLIGHT_STEP * scalar_clamp(turn, -most, most));
     f->path = 0;
     if (n.lift + n.thrust * sinf(f->attack) > MASS * GRAVITY)
         f->phase = FLIGHT_AIRBORNE;
@@ -118,8 +112,8 @@ static void roll(struct flight *f, struct forces n)
 static void touch(struct flight *f)
 {
     f->touch = -flight_climb_rate(f);
-    bool wings_level = fabsf(f->bank) < 12 * FLIGHT_DEGREE;
-    bool soft = f->touch < HARD && f->pitch > -4 * FLIGHT_DEGREE && wings_level;
+    bool wings_level = fabsf(f->bank) < 12 * DEGREE;
+    bool soft = f->touch < HARD && f->pitch > -4 * DEGREE && wings_level;
     f->phase = soft ? FLIGHT_ROLLING : FLIGHT_CRASHED;
     f->at.y = 0;
     f->path = 0;
@@ -131,7 +125,7 @@ void flight_step(struct flight *f)
     if (f->phase == FLIGHT_CRASHED)
         return;
     follow_stick(f);
-    f->attack = within((f->pitch - f->path) / fmaxf(cosf(f->bank), 0.3f), -0.5f, 0.8f);
+    f->attack = scalar_clamp((f->pitch - f->path) / fmaxf(cosf(f->bank), 0.3f), -0.5f, 0.8f);
     f->stalled = f->phase == FLIGHT_AIRBORNE && f->attack > STALL;
     struct forces n = forces(f);
     if (f->phase == FLIGHT_ROLLING)

@@ -29,10 +29,10 @@
 
 #include <stdbool.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/geometry/vector.h"
 
-#define FLIGHT_STEP   0.02f
-#define FLIGHT_DEGREE 0.01745329252f
+#define FLIGHT_STEP 0.02f
 /* The runway: from the threshold at the origin to the north. */
 enum { RUNWAY_LENGTH = 1200, RUNWAY_WIDTH = 30 };
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/flight_view.h"
 #include "roms/raster/polygon_fill.h"
 
@@ -11,7 +12,7 @@ enum { RADIUS = 82, MIDDLE = 136, NAME = 8, SIDES = 24 };
 /* Clockwise from the top. */
 static struct point2 on_dial(float x, float radius, float turn)
 {
-    float angle = 6.2831853f * turn;
+    float angle = TURN * turn;
     return (struct point2){x + radius * sinf(angle), MIDDLE + radius * cosf(angle)};
 }
 
@@ -117,7 +118,7 @@ static void throttle(struct stage *s, float x, const struct flight *f)
 void flight_panel(struct stage *s, const struct flight *f)
 {
     char text[24];
-    float degrees = f->heading / FLIGHT_DEGREE, climb = flight_climb_rate(f);
+    float degrees = f->heading / DEGREE, climb = flight_climb_rate(f);
     degrees = degrees < -0.5f ? degrees + 360 : fmaxf(degrees, 0);
     int left = (int)stage_canvas_x(s, 0), top = (int)stage_canvas_y(s, SCREEN_BOTTOM - 4);
     canvas_fill(&s->canvas, left, top, (int)stage_canvas_x(s, STAGE_WIDTH) - left,

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/flight_camera.h"
 #include "roms/raster/polygon_fill.h"
 
@@ -188,7 +189,7 @@ static void draw_glide_path(const struct flight_camera *c)
     static const float angles[4] = {3.5f, 3.17f, 2.83f, 2.5f};
     for (int i = 0; i < 4; i++) {
         struct vector3 at = {-38 + 5 * (float)i, 0.5f, -150};
-        float seen = atan2f(c->eye.y - at.y, c->eye.z - at.z) / FLIGHT_DEGREE;
+        float seen = atan2f(c->eye.y - at.y, c->eye.z - at.z) / DEGREE;
         if (c->eye.z > at.z)
             flight_camera_light(c, at, seen > angles[i] ? INK_BRIGHT : INK_RED);
     }

@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/gallery_art.h"
 
-static const float pi = 3.14159265f;
 static const struct point2 middle = {STAGE_WIDTH / 2, STAGE_HEIGHT / 2};
 
 static struct point2 polar(float r, float angle)
@@ -42,8 +42,8 @@ void art_whirls(struct stage *s, float seconds)
     static const enum ink_ramp ramps[] = {RAMP_COPPER, RAMP_BLUE, RAMP_GOLD};
     float turn = seconds * 0.07f, step = 0.11f + 0.07f * sinf(seconds * 0.4f);
     for (int i = 0; i < SIDES; i++) {
-        struct point2 p[3] = {middle, polar(RADIUS, turn + pi / 3 * (float)i),
-                              polar(RADIUS, turn + pi / 3 * (float)(i + 1))};
+        struct point2 p[3] = {middle, polar(RADIUS, turn + PI / 3 * (float)i),
+                              polar(RADIUS, turn + PI / 3 * (float)(i + 1))};
         whirl(s, p, step, i % 2 == 0, ramps[i % 3]);
     }
     stage_title(s, "Whirls");
@@ -78,10 +78,10 @@ static int cut(const struct point2 *p, int count, float angle, bool right, struc
 static void shard(int which, float t, struct point2 *p)
 {
     float n = (float)which, r = 20 + 33 * n + 30 * sinf(0.31f * t + 2.1f * n);
-    float angle = pi / 12 + 0.45f * sinf(0.23f * t + 1.7f * n), size = 42 + 2 * n;
+    float angle = PI / 12 + 0.45f * sinf(0.23f * t + 1.7f * n), size = 42 + 2 * n;
     for (int i = 0; i < CORNERS; i++) {
         float turn =
-            0.4f * t * (which % 2 ? 1.0f : -1.0f) + pi / 2 * (float)i + 0.5f * sinf(n + (float)i);
+            0.4f * t * (which % 2 ? 1.0f : -1.0f) + PI / 2 * (float)i + 0.5f * sinf(n + (float)i);
         p[i] = (struct point2){r * cosf(angle) + size * cosf(turn),
                                r * sinf(angle) + size * sinf(turn)};
     }
@@ -90,7 +90,7 @@ static void shard(int which, float t, struct point2 *p)
 /* All the images of a point of the wedge: turned, and mirrored. */
 static struct point2 image(struct point2 p, int turn, bool mirrored)
 {
-    float angle = pi / 3 * (float)turn, c = cosf(angle), s = sinf(angle);
+    float angle = PI / 3 * (float)turn, c = cosf(angle), s = sinf(angle);
     if (mirrored)
         p.y = -p.y;
     return (struct point2){middle.x + p.x * c - p.y * s, middle.y + p.x * s + p.y * c};
@@ -98,7 +98,7 @@ static struct point2 image(struct point2 p, int turn, bool mirrored)
 
 static bool on_a_mirror(struct point2 p)
 {
-    return fabsf(p.y) < 0.5f || fabsf(p.y * cosf(pi / 6) - p.x * sinf(pi / 6)) < 0.5f;
+    return fabsf(p.y) < 0.5f || fabsf(p.y * cosf(PI / 6) - p.x * sinf(PI / 6)) < 0.5f;
 }
 
 /* All images of what a shard shows; on the vector head without the edges that the mirrors make. */
@@ -130,7 +130,7 @@ void art_kaleidoscope(struct stage *s, float seconds)
         struct point2 p[CORNERS], half[CUT], whole[CUT + 2];
         shard(i, seconds + 4, p);
         int count = cut(p, CORNERS, 0, true, half);
-        count = cut(half, count, pi / 6, false, whole);
+        count = cut(half, count, PI / 6, false, whole);
         float light = 0.15f + 0.5f * (0.5f + 0.5f * sinf(0.7f * seconds + 1.3f * (float)i));
         if (count >= 3)
             images(s, whole, count, ink_shade(ramps[i % 5], light), inks[i % 3]);

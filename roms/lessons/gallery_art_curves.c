@@ -3,6 +3,7 @@
  * often symmetric. */
 #include <math.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/gallery_art.h"
 #include "roms/raster/line_antialiased.h"
 
@@ -22,8 +23,8 @@ struct motion {
 static void turn(struct circle *c)
 {
     for (int i = 0; i < POINTS; i++) {
-        c->cosine[i] = cosf(6.2831853f * (float)i / POINTS);
-        c->sine[i] = sinf(6.2831853f * (float)i / POINTS);
+        c->cosine[i] = cosf(TURN * (float)i / POINTS);
+        c->sine[i] = sinf(TURN * (float)i / POINTS);
     }
 }
 

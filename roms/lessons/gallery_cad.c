@@ -3,6 +3,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/scenery/depth.h"
 #include "roms/lessons/lesson.h"
 #include "roms/scenery/workroom.h"
@@ -74,7 +75,7 @@ static void change_by_time(struct cad *c, float seconds)
 {
     enum { SWING = 4 };
     int which = (int)(seconds / SWING) % DIMENSIONS;
-    float angle = 6.2831853f * fmodf(seconds, SWING) / SWING;
+    float angle = TURN * fmodf(seconds, SWING) / SWING;
     for (int i = 0; i < DIMENSIONS; i++)
         c->value[i] = dimensions[i].usual;
     change(c, which, 0.22f * dimensions[which].usual * sinf(angle));

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/flight_panel.h"
 #include "roms/lessons/flight_pilot.h"
 #include "roms/lessons/flight_view.h"
@@ -37,11 +38,6 @@ static void begin(void *ctx)
     start(s);
 }
 
-static float within(float v, float low, float high)
-{
-    return v < low ? low : v > high ? high : v;
-}
-
 /* The stick from where the aircraft is, so that it does not jump. */
 static void take_over(struct state *s)
 {
@@ -54,30 +50,30 @@ static void take_over(struct state *s)
 
 static bool move_stick(struct flight_stick *k, int key)
 {
-    const float nose = 1.5f * FLIGHT_DEGREE, wing = 5 * FLIGHT_DEGREE;
+    const float nose = 1.5f * DEGREE, wing = 5 * DEGREE;
     switch (key) {
     case KEY_UP:
     case 'w':
-        k->pitch = within(k->pitch + nose, -0.4f, 0.45f);
+        k->pitch = scalar_clamp(k->pitch + nose, -0.4f, 0.45f);
         return true;
     case KEY_DOWN:
     case 's':
-        k->pitch = within(k->pitch - nose, -0.4f, 0.45f);
+        k->pitch = scalar_clamp(k->pitch - nose, -0.4f, 0.45f);
         return true;
     case KEY_LEFT:
     case 'a':
-        k->bank = within(k->bank - wing, -1, 1);
+        k->bank = scalar_clamp(k->bank - wing, -1, 1);
         return true;
     case KEY_RIGHT:
     case 'd':
-        k->bank = within(k->bank + wing, -1, 1);
+        k->bank = scalar_clamp(k->bank + wing, -1, 1);
         return true;
     case '+':
     case '=':
-        k->throttle = within(k->throttle + 0.1f, 0, 1);
+        k->throttle = scalar_clamp(k->throttle + 0.1f, 0, 1);
         return true;
     case '-':
-        k->throttle = within(k->throttle - 0.1f, 0, 1);
+        k->throttle = scalar_clamp(k->throttle - 0.1f, 0, 1);
         return true;
     case 'b':
         k->brakes = !k->brakes;

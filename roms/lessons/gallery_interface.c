@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/lesson.h"
 
 const char *const desk_titles[DESK_WINDOWS] = {"Clock", "Graph", "Notes", "Picture"};
@@ -162,25 +163,20 @@ static void click(struct desk *d)
     }
 }
 
-static float within(float v, float low, float high)
-{
-    return v < low ? low : v > high ? high : v;
-}
-
 /* Moves the pointer, and what is dragged with it. */
 static void move(struct desk *d, float x, float y)
 {
     float dx, dy;
-    x = within(x, 0, STAGE_WIDTH - 10);
-    y = within(y, 10, STAGE_HEIGHT - 4);
+    x = scalar_clamp(x, 0, STAGE_WIDTH - 10);
+    y = scalar_clamp(y, 10, STAGE_HEIGHT - 4);
     dx = x - d->pointer.x;
     dy = y - d->pointer.y;
     d->pointer = (struct point2){x, y};
     if (d->dragged == DESK_NONE)
         return;
     struct desk_window *w = &d->window[d->dragged];
-    w->x = within(w->x + dx, 0, STAGE_WIDTH - w->width);
-    w->y = within(w->y + dy, 0, STAGE_HEIGHT - DESK_BAR - w->height);
+    w->x = scalar_clamp(w->x + dx, 0, STAGE_WIDTH - w->width);
+    w->y = scalar_clamp(w->y + dy, 0, STAGE_HEIGHT - DESK_BAR - w->height);
 }
 
 /* ---- by itself ------------------------------------------------------------------------------- */

@@ -4,11 +4,10 @@
 #include <string.h>
 
 #include "roms/clip/liang_barsky.h"
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/gallery_interface.h"
 
 enum { COVERS = DESK_WINDOWS + 1, CHARACTER = 17 /* of the vector head, stage units */ };
-
-static const float pi = 3.14159265f;
 
 /* Draws what one thing shows: within `clip`, and on the vector head not where things in front
  * are. */
@@ -129,7 +128,7 @@ static void text(const struct painter *p, float x, float y, enum ink raster, enu
 static void hand(const struct painter *p, struct point2 middle, float part, float length,
                  enum ink ink)
 {
-    float angle = pi / 2 - 2 * pi * part;
+    float angle = PI / 2 - TURN * part;
     stage_ink(p->stage, ink);
     line(p, middle,
          (struct point2){middle.x + length * cosf(angle), middle.y + length * sinf(angle)});
@@ -142,7 +141,7 @@ static void draw_clock(const struct painter *p, struct clip_window r, float now)
     float radius = fminf(r.x_max - r.x_min, r.y_max - r.y_min) / 2 - 16;
     float time = 10 * 3600 + 8 * 60 + now;
     for (int i = 0; i <= SIDES; i++) {
-        float angle = 2 * pi * (float)i / SIDES;
+        float angle = TURN * (float)i / SIDES;
         rim[i] = (struct point2){middle.x + radius * cosf(angle), middle.y + radius * sinf(angle)};
     }
     stage_ink(p->stage, INK_CYAN);
@@ -198,7 +197,7 @@ static void draw_picture(const struct painter *p, struct clip_window r, float no
     static const enum ink inks[] = {INK_ORANGE, INK_YELLOW, INK_VIOLET};
     for (int k = 0; k < SQUARES; k++, radius *= 0.82f) {
         for (int i = 0; i < 5; i++) {
-            float angle = pi / 4 + pi / 2 * (float)i + (float)k * 0.35f * sinf(now * 0.7f);
+            float angle = PI / 4 + PI / 2 * (float)i + (float)k * 0.35f * sinf(now * 0.7f);
             at[i] =
                 (struct point2){middle.x + radius * cosf(angle), middle.y + radius * sinf(angle)};
         }

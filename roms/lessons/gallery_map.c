@@ -9,6 +9,7 @@
 
 #include "roms/clip/pipeline2.h"
 #include "roms/clip/text.h"
+#include "roms/geometry/scalar.h"
 #include "roms/geometry/transform2.h"
 #include "roms/lessons/large_text.h"
 #include "roms/lessons/lesson.h"
@@ -85,9 +86,9 @@ static struct pipeline2 pipeline_of(const struct clip_window *viewport, const st
     struct pipeline2 p;
     float shape = (viewport->x_max - viewport->x_min) / (viewport->y_max - viewport->y_min);
     float half = 53 / v->zoom;
-    struct point2 up = transform2_direction(v->turn + 90);
+    struct sine_cosine up = scalar_sine_cosine(v->turn + 90);
     const struct view2 view = {.origin = {v->x, v->y},
-                               .up = up,
+                               .up = {up.cosine, up.sine},
                                .window = {-half * shape, -half, half * shape, half},
                                .viewport = normalized(viewport),
                                .device = {0, 0, STAGE_WIDTH, STAGE_WIDTH}};
@@ -185,7 +186,7 @@ static struct point2 ship_at(float seconds)
 static void draw_ship(struct stage *s, struct pipeline2 *p, float seconds)
 {
     struct point2 at = ship_at(seconds), ahead = ship_at(seconds + 0.3f);
-    float turn = atan2f(ahead.y - at.y, ahead.x - at.x) * 57.29578f;
+    float turn = atan2f(ahead.y - at.y, ahead.x - at.x) / DEGREE;
     stage_ink(s, INK_ORANGE);
     place_model(s, p, hull, 5, at, turn, 1.2f / sqrtf(map.view.zoom));
 }
@@ -225,7 +226,8 @@ static void inset(struct stage *s)
 
 static void north_arrow(struct stage *s, struct point2 at)
 {
-    struct point2 n = transform2_direction(90 - map.view.turn);
+    struct sine_cosine of = scalar_sine_cosine(90 - map.view.turn);
+    struct point2 n = {of.cosine, of.sine};
     struct point2 tip = {at.x + 60 * n.x, at.y + 60 * n.y},
                   tail = {at.x - 60 * n.x, at.y - 60 * n.y};
     const struct point2 head[] = {tip,
@@ -288,10 +290,10 @@ static void follow_tour(float seconds)
 
 static void pan(float right, float up)
 {
-    struct point2 d = transform2_direction(map.view.turn);
+    struct sine_cosine d = scalar_sine_cosine(map.view.turn);
     float step = 10 / map.view.zoom;
-    map.view.x += step * (right * d.x - up * d.y);
-    map.view.y += step * (right * d.y + up * d.x);
+    map.view.x += step * (right * d.cosine - up * d.sine);
+    map.view.y += step * (right * d.sine + up * d.cosine);
     map.view.x = fminf(fmaxf(map.view.x, 0), MAP_WIDTH);
     map.view.y = fminf(fmaxf(map.view.y, 0), MAP_HEIGHT);
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/lesson.h"
 #include "roms/lessons/scenes.h"
 #include "roms/raster/line_thick.h"
@@ -175,8 +176,7 @@ void plot_bars(struct stage *s, float seconds)
     for (int i = 0; i < CURVE; i++) {
         const float mean = DICE * 3.5f, variance = DICE * 35.0f / 12;
         float x = 2 + 17 * (float)i / (CURVE - 1), d = x - mean;
-        normal[i] =
-            place(&axes, x, 100 * expf(-d * d / (2 * variance)) / sqrtf(6.2831853f * variance));
+        normal[i] = place(&axes, x, 100 * expf(-d * d / (2 * variance)) / sqrtf(TURN * variance));
     }
     plot_polyline(s, normal, CURVE, 4, INK_YELLOW);
     snprintf(text, sizeof text, "%d throws", throws);
@@ -238,12 +238,12 @@ void plot_pie(struct stage *s, float seconds)
                                               "4 factors ", "more      "};
     static const enum ink inks[SLICES] = {INK_CYAN, INK_BLUE, INK_VIOLET, INK_ORANGE, INK_YELLOW};
     int times[SLICES] = {0}, most = 10 + (int)(seconds * seconds * 12);
-    float from = 1.5707963f;
+    float from = TURN / 4;
     char text[40];
     most = most < MOST ? most : MOST;
     count_factors(most, times);
     for (int i = 0; i < SLICES; i++) {
-        float part = (float)times[i] / (float)(most - 1), to = from - part * 6.2831853f;
+        float part = (float)times[i] / (float)(most - 1), to = from - part * TURN;
         bool pulled = (int)(seconds / 1.5f) % SLICES == i;
         if (times[i] > 0)
             slice(s, from, to, pulled ? 40 : 8, inks[i]);

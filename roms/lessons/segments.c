@@ -17,10 +17,10 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/lesson.h"
 #include "roms/stage/segments.h"
 
-#define TURN 6.2831853f
 /* Once from side to side while all chapters pass; the train stands in one of them for a while. */
 #define WAY   (STAGE_WIDTH + 600)
 #define SPEED (WAY / (5 * CHAPTER_SECONDS - PAUSE_SECONDS))

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "roms/bsp/board.h"
+#include "roms/geometry/scalar.h"
 #include "roms/lessons/shading.h"
 #include "roms/light/power.h"
 
@@ -90,10 +91,10 @@ void shading_terms_begin(struct shading_lesson *l)
 static void lobe(struct stage *s, float x, float y, int term, float n)
 {
     enum { PARTS = 36 };
-    static const float light = 2.2f, mirrored = 3.14159265f - 2.2f; /* angles above the surface */
+    static const float light = 2.2f, mirrored = PI - 2.2f; /* angles above the surface */
     struct point2 p[PARTS + 1];
     for (int i = 0; i <= PARTS; i++) {
-        float angle = (float)i * (3.14159265f / PARTS), r = 60;
+        float angle = (float)i * (PI / PARTS), r = 60;
         if (term == 1)
             r = 110 * sinf(light);
         if (term == 2)
@@ -146,7 +147,7 @@ static void power_curve(struct stage *s, float x, float y, float width, float he
     struct point2 p[PARTS + 1];
     for (int i = 0; i <= PARTS; i++) {
         float at = (float)i / PARTS * 2 - 1;
-        p[i] = (struct point2){x + at * width / 2, y + height * power(cosf(at * 1.5707963f), n)};
+        p[i] = (struct point2){x + at * width / 2, y + height * power(cosf(at * (PI / 2)), n)};
     }
     stage_polyline(s, p, PARTS + 1);
 }
@@ -204,7 +205,7 @@ static void draw_lamp(struct stage *s, const struct studio_pose *pose, const str
     float k = pose->radius / studio->reach * eye / (eye - at.z);
     float x = pose->x + at.x * k, y = pose->y + at.y * k;
     for (int i = 0; i < RAYS; i++) {
-        float c = cosf((float)i * (6.2831853f / RAYS)), n = sinf((float)i * (6.2831853f / RAYS));
+        float c = cosf((float)i * (TURN / RAYS)), n = sinf((float)i * (TURN / RAYS));
         stage_line(s, x + 9 * c, y + 9 * n, x + 20 * c, y + 20 * n);
     }
 }

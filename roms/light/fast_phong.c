@@ -7,6 +7,7 @@
  */
 #include "roms/light/fast_phong.h"
 
+#include "roms/geometry/scalar.h"
 #include "roms/light/run.h"
 
 /* A light's polynomials in a triangle, about its middle; and in a run. */
@@ -100,18 +101,18 @@ struct fast_surface {
 
 RUN_LOOP float fast_pixel(const struct fast_surface *u, const struct stepped *at, int count)
 {
-    float value = larger(at[0].d, at[0].floor);
+    float value = scalar_max(at[0].d, at[0].floor);
     for (int i = 1; i < count; i++)
-        value += larger(at[i].d, at[i].floor);
+        value += scalar_max(at[i].d, at[i].floor);
     for (int i = 0; i < count; i++) {
         float r = at[i].s;
         if (r > u->low && at[i].d > at[i].floor) {
             if (u->fourth)
                 r *= r, r *= r;
-            value = fmaf(at[i].specular, power_read(u->power, smaller(r, 1)), value);
+            value = fmaf(at[i].specular, power_read(u->power, scalar_min(r, 1)), value);
         }
     }
-    return smaller(value, u->top);
+    return scalar_min(value, u->top);
 }
 
 RUN_LOOP void fast_step(struct stepped *at, int count)

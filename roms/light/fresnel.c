@@ -2,11 +2,11 @@
 
 #include <math.h>
 
-#include "roms/light/clamp.h"
+#include "roms/geometry/scalar.h"
 
 float fresnel(float index, float cosine)
 {
-    float in = clamp(cosine, 0, 1);
+    float in = scalar_clamp(cosine, 0, 1);
     float sine2 = (1 - in * in) / (index * index); /* of the angle beyond the surface */
     if (sine2 >= 1)
         return 1; /* total reflection */
@@ -19,6 +19,6 @@ float fresnel(float index, float cosine)
 float fresnel_schlick(float index, float cosine)
 {
     float r = (index - 1) / (index + 1), straight = r * r;
-    float c = 1 - clamp(cosine, 0, 1), c2 = c * c;
+    float c = 1 - scalar_clamp(cosine, 0, 1), c2 = c * c;
     return straight + (1 - straight) * c2 * c2 * c;
 }

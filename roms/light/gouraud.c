@@ -4,21 +4,22 @@
  * with 16 binary digits. A triangle so thin that rounding could carry the value beyond those of its
  * corners has their mean.
  */
+#include "roms/geometry/scalar.h"
 #include "roms/light/run.h"
 
 /* Twice the area is less than half a pixel times the longest side. */
 RUN_LOOP bool is_thin(const struct triangle *t)
 {
     float bcx = t->acx - t->abx, bcy = t->acy - t->aby;
-    float longest = larger(larger(t->abx * t->abx + t->aby * t->aby, bcx * bcx + bcy * bcy),
-                           t->acx * t->acx + t->acy * t->acy);
+    float longest = scalar_max(scalar_max(t->abx * t->abx + t->aby * t->aby, bcx * bcx + bcy * bcy),
+                               t->acx * t->acx + t->acy * t->acy);
     return t->inverse * t->inverse * longest > 4;
 }
 
 RUN_LOOP float value_at(const struct shade *s, const struct shade_vertex *v)
 {
     float value = fmaf(v->intensity, s->scale, s->first);
-    return clamp(value, s->first, s->first + s->scale) * 65536;
+    return scalar_clamp(value, s->first, s->first + s->scale) * 65536;
 }
 
 RUN_LOOP void gouraud_rows(struct shade *s, struct triangle *t, unsigned bits)

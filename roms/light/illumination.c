@@ -1,6 +1,6 @@
 #include "roms/light/illumination.h"
 
-#include "roms/light/clamp.h"
+#include "roms/geometry/scalar.h"
 #include "roms/light/fresnel.h"
 #include "roms/light/power.h"
 
@@ -33,8 +33,8 @@ LIGHT_INLINE float reflection(const struct material *m, struct vector3 n, struct
                               struct vector3 view, float incidence)
 {
     if (m->halfway)
-        return larger(vector3_dot(n, vector3_direction(vector3_sum(to, view))), 0);
-    return larger(2 * incidence * vector3_dot(n, view) - vector3_dot(to, view), 0);
+        return scalar_max(vector3_dot(n, vector3_direction(vector3_sum(to, view))), 0);
+    return scalar_max(2 * incidence * vector3_dot(n, view) - vector3_dot(to, view), 0);
 }
 
 /* The normal is of length 1; `distance` 0: the light is at infinity in the direction `to`. */
@@ -47,7 +47,7 @@ LIGHT_INLINE struct light_term term(const struct lighting *l, const struct mater
         t.attenuation = attenuation(l, distance);
         intensity *= t.attenuation;
     }
-    t.incidence = larger(vector3_dot(n, to), 0);
+    t.incidence = scalar_max(vector3_dot(n, to), 0);
     if (m->index > 0)
         t.w = fresnel(m->index, t.incidence);
     if (t.incidence <= 0)

@@ -53,21 +53,6 @@ bool mesh_of_object(struct mesh *mesh, const struct object *o)
     return true;
 }
 
-void mesh_mean_normals(struct mesh *mesh)
-{
-    memset(mesh->normal, 0, sizeof mesh->normal);
-    for (int i = 0; i < mesh->triangles; i++) {
-        const uint16_t *corner = mesh->corner[i];
-        struct vector3 a = mesh->place[corner[0]];
-        struct vector3 face = vector3_cross(vector3_difference(mesh->place[corner[1]], a),
-                                            vector3_difference(mesh->place[corner[2]], a));
-        for (int k = 0; k < 3; k++)
-            mesh->normal[corner[k]] = vector3_sum(mesh->normal[corner[k]], face);
-    }
-    for (int i = 0; i < mesh->vertices; i++)
-        mesh->normal[i] = vector3_direction(mesh->normal[i]);
-}
-
 /* ---- once a vertex --------------------------------------------------------------------------- */
 
 static inline struct vector3 turned(const struct matrix4 *m, struct vector3 v)

@@ -34,8 +34,6 @@ struct mesh {
 
 /* The object's triangles; its normals must have been made (roms/solids/normals.h). */
 bool mesh_of_object(struct mesh *mesh, const struct object *object);
-/* Normals at the vertices: those of the triangles that meet there, by area. */
-void mesh_mean_normals(struct mesh *mesh);
 
 struct mesh_view {
     struct matrix4 model;

@@ -4,6 +4,7 @@
  * stepped by its second difference; a pixel then takes a square root and a division, and the power
  * where a highlight is. Otherwise a pixel asks illumination.h.
  */
+#include "roms/geometry/scalar.h"
 #include "roms/light/fresnel.h"
 #include "roms/light/run.h"
 
@@ -73,11 +74,11 @@ RUN_LOOP float phong_pixel(const struct phong_surface *u, const struct lit *lit,
             value = fmaf(lit[i].diffuse, c, value);
             if (r > u->low) {
                 float w = u->index > 0 ? fresnel(u->index, c) : 1;
-                value = fmaf(lit[i].specular * w, power_read(u->power, smaller(r, 1)), value);
+                value = fmaf(lit[i].specular * w, power_read(u->power, scalar_min(r, 1)), value);
             }
         }
     }
-    return smaller(value, u->top);
+    return scalar_min(value, u->top);
 }
 
 /* N·N along a run: its value, the change to the next pixel, and the change of that. */

@@ -2,12 +2,13 @@
 
 #include <math.h>
 
-#include "roms/light/clamp.h"
+#include "roms/geometry/scalar.h"
 
 float power(float x, float n)
 {
-    x = clamp(x, 0, 1);
-    unsigned digits = (unsigned)(clamp(n, POWER_LEAST, POWER_MOST) * (1 << POWER_DIGITS) + 0.5f);
+    x = scalar_clamp(x, 0, 1);
+    unsigned digits =
+        (unsigned)(scalar_clamp(n, POWER_LEAST, POWER_MOST) * (1 << POWER_DIGITS) + 0.5f);
     float result = 1, factor = x, root = x;
     for (unsigned whole = digits >> POWER_DIGITS; whole != 0; whole >>= 1) {
         if (whole & 1)
@@ -24,7 +25,7 @@ float power(float x, float n)
 
 void power_table(struct power_table *t, float n)
 {
-    n = clamp(n, POWER_LEAST, POWER_MOST);
+    n = scalar_clamp(n, POWER_LEAST, POWER_MOST);
     if (t->n == n)
         return;
     t->n = n;

@@ -27,7 +27,7 @@
 #ifndef ROMS_LIGHT_SHADE_H
 #define ROMS_LIGHT_SHADE_H
 
-#include "roms/light/clamp.h"
+#include "roms/geometry/scalar.h"
 #include "roms/light/illumination.h"
 #include "roms/light/power.h"
 #include "roms/light/triangle.h"
@@ -77,7 +77,7 @@ void shade_fast_phong(struct shade *s, const struct shade_vertex *a, const struc
 /* The value of a pixel with that intensity. */
 static inline uint32_t shade_pixel(const struct shade *s, float intensity)
 {
-    float v = clamp(fmaf(intensity, s->scale, s->first), s->first, s->top);
+    float v = scalar_clamp(fmaf(intensity, s->scale, s->first), s->first, s->top);
     return s->bits == 32 ? s->colours[(int)v] : (uint32_t)v;
 }
 

@@ -27,9 +27,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/geometry/vector.h"
 
 enum { TRIANGLE_LIMIT = 8192 };
+/* An edge less high than this counts as upright: beside it a slope is beyond floats. */
+#define TRIANGLE_LOWEST 1e-30f
 
 /* A corner: where it is on the canvas and how near (depth_buffer.h), and what it is in space. */
 struct shade_vertex {
@@ -58,18 +61,13 @@ struct gradient {
 /* Always: rows are short. */
 #define TRIANGLE_INLINE static inline __attribute__((always_inline))
 
-static inline int triangle_ceil(float v)
-{
-    int whole = (int)v;
-    return whole + ((float)whole < v);
-}
-
 /* Where the edge is in its first row that is shown, and what a row adds. */
 static inline int32_t triangle_edge(const struct shade_vertex *a, const struct shade_vertex *b,
                                     int32_t *step)
 {
-    int first = triangle_ceil(a->y);
-    float start = (float)(first > 0 ? first : 0), slope = (b->x - a->x) / (b->y - a->y);
+    int first = scalar_ceil(a->y);
+    float start = (float)(first > 0 ? first : 0), down = b->y - a->y;
+    float slope = down > TRIANGLE_LOWEST ? (b->x - a->x) / down : 0;
     float x = fmaf(slope, start - a->y, a->x);
     *step = b->y - start > 1 ? (int32_t)lrintf(slope * 65536) : 0;
     return (int32_t)(x * 65536);
@@ -107,7 +105,7 @@ static inline bool triangle_begin(struct triangle *t, int width, int height,
     t->abx = b->x - a->x, t->aby = b->y - a->y;
     t->acx = c->x - a->x, t->acy = c->y - a->y;
     float area = t->abx * t->acy - t->acx * t->aby;
-    int first = triangle_ceil(a->y), end = triangle_ceil(c->y);
+    int first = scalar_ceil(a->y), end = scalar_ceil(c->y);
     t->y = (first > 0 ? first : 0) - 1;
     t->end = end < height ? end : height;
     if (area == 0 || t->y + 1 >= t->end)
@@ -116,7 +114,7 @@ static inline bool triangle_begin(struct triangle *t, int width, int height,
     t->width = width;
     t->covered = 0;
     t->bends_left = area < 0;
-    t->middle = triangle_ceil(b->y);
+    t->middle = scalar_ceil(b->y);
     int32_t whole_step, whole = triangle_edge(a, c, &whole_step), part_step = 0, part = 0;
     if (t->middle > first && t->middle > 0) {
         part = triangle_edge(a, b, &part_step);

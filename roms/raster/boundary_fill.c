@@ -1,22 +1,18 @@
 #include "roms/raster/boundary_fill.h"
 
-/* As pixels hold it. */
-static uint32_t held(const struct canvas *c, uint32_t colour)
-{
-    return c->bits < 32 ? colour & ((1u << c->bits) - 1) : colour;
-}
+#include "roms/raster/pixel.h"
 
 void boundary_fill_begin(struct span_fill *f, const struct canvas *c, int x, int y, int connected,
                          uint32_t boundary, uint32_t colour, struct span_seed *seeds, int room)
 {
     *f = (struct span_fill){.canvas = c,
                             .of_limit = false,
-                            .limit = held(c, boundary),
-                            .colour = held(c, colour),
+                            .limit = canvas_held(c, boundary),
+                            .colour = canvas_held(c, colour),
                             .corners = connected == 8,
                             .seeds = seeds,
                             .room = room};
-    if (x < 0 || y < 0 || x >= c->width || y >= c->height)
+    if (!canvas_holds(c, x, y))
         return;
     span_fill_push(f, x, y);
 }

@@ -25,15 +25,12 @@
 
 #include <stdint.h>
 
+#include "roms/geometry/scalar.h"
+
 enum dither_order { DITHER_NONE, DITHER_ORDERED_4, DITHER_ORDERED_8 };
 
 extern const uint8_t dither_bayer_4[4][4]; /* 0…15 */
 extern const uint8_t dither_bayer_8[8][8]; /* 0…63 */
-
-static inline float dither_within(float v)
-{
-    return v > 0 ? v < 1 ? v : 1 : 0; /* what is not a number is 0 */
-}
 
 /* The level of a pixel. DITHER_NONE: the nearest one. */
 static inline int dither_ordered(enum dither_order order, int levels, int x, int y, float intensity)
@@ -43,7 +40,7 @@ static inline int dither_ordered(enum dither_order order, int levels, int x, int
         threshold = ((float)dither_bayer_4[y & 3][x & 3] + 0.5f) / 16;
     else if (order == DITHER_ORDERED_8)
         threshold = ((float)dither_bayer_8[y & 7][x & 7] + 0.5f) / 64;
-    return (int)(dither_within(intensity) * (float)(levels - 1) + threshold);
+    return (int)(scalar_clamp(intensity, 0, 1) * (float)(levels - 1) + threshold);
 }
 
 /* Error diffusion, pixel by pixel. */
@@ -62,8 +59,8 @@ static inline int dither_diffusion_next(struct dither_diffusion *d, float intens
 {
     float scale = (float)(d->levels - 1);
     float *at = d->error + 1 + d->x;
-    float wanted = dither_within(intensity) * scale + *at + d->here;
-    float most = wanted < 0 ? 0 : wanted > scale ? scale : wanted;
+    float wanted = scalar_clamp(intensity, 0, 1) * scale + *at + d->here;
+    float most = scalar_clamp(wanted, 0, scale);
     int level = (int)(most + 0.5f);
     float error = wanted - (float)level;
     d->here = error * (7.0f / 16);

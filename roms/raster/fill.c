@@ -1,7 +1,7 @@
 /* Rectangles, whole words at a time. */
-#include <stddef.h>
-
 #include "roms/raster/canvas.h"
+#include "roms/raster/fill_run.h"
+#include "roms/raster/pixel.h"
 
 uint32_t canvas_pitch(int width, unsigned bits)
 {
@@ -11,35 +11,10 @@ uint32_t canvas_pitch(int width, unsigned bits)
 /* The colour as often as a word holds it. */
 static uint32_t repeated(const struct canvas *c, uint32_t colour)
 {
-    unsigned bits = c->bits;
-    if (bits < 32)
-        colour &= (1u << bits) - 1;
-    for (; bits < 32; bits *= 2)
+    colour = canvas_held(c, colour);
+    for (unsigned bits = c->bits; bits < 32; bits *= 2)
         colour |= colour << bits;
     return colour;
-}
-
-/* A byte of the word, by where it lies. */
-static uint8_t byte_at(const uint8_t *at, uint32_t word)
-{
-    return (uint8_t)(word >> 8 * ((uintptr_t)at & 3));
-}
-
-/* Bytes from `at` to `end`. */
-static void fill_bytes(uint8_t *at, uint8_t *end, uint32_t word)
-{
-    for (; at < end && ((uintptr_t)at & 3) != 0; at++)
-        *at = byte_at(at, word);
-    uint32_t *words = (uint32_t *)(void *)at;
-    for (size_t left = (size_t)(end - at) / 32; left > 0; left--) {
-        words[0] = words[1] = words[2] = words[3] = word;
-        words[4] = words[5] = words[6] = words[7] = word;
-        words += 8;
-    }
-    for (at = (uint8_t *)words; end - at >= 4; at += 4)
-        *(uint32_t *)(void *)at = word;
-    for (; at < end; at++)
-        *at = byte_at(at, word);
 }
 
 /* The bits of a byte under `mask`. */
@@ -48,8 +23,8 @@ static void fill_part(uint8_t *at, unsigned mask, uint32_t word)
     *at = (uint8_t)((*at & ~mask) | (word & mask));
 }
 
-/* Pixels x0 to x1 of a row; those smaller than a byte fill it from its high bits on. */
-static void fill_row(const struct canvas *c, uint8_t *row, int x0, int x1, uint32_t word)
+/* Pixels smaller than a byte fill it from its high bits on. */
+static void fill_row_small(const struct canvas *c, uint8_t *row, int x0, int x1, uint32_t word)
 {
     uint32_t from = (uint32_t)x0 * c->bits, to = (uint32_t)x1 * c->bits;
     uint8_t *first = row + from / 8, *last = row + to / 8;
@@ -61,9 +36,22 @@ static void fill_row(const struct canvas *c, uint8_t *row, int x0, int x1, uint3
     }
     if (head != 0xFF)
         fill_part(first++, head, word);
-    fill_bytes(first, last, word);
+    fill_run_bytes(first, last, word);
     if (tail != 0)
         fill_part(last, tail, word);
+}
+
+/* Pixels x0 to x1 of a row. */
+static void fill_row(const struct canvas *c, uint8_t *row, int x0, int x1, uint32_t word)
+{
+    if (c->bits == 8)
+        fill_run_bytes(row + x0, row + x1, word);
+    else if (c->bits == 32)
+        fill_run_words((uint32_t *)(void *)row + x0, (uint32_t *)(void *)row + x1, word);
+    else if (c->bits == 16)
+        fill_run_halves((uint16_t *)(void *)row + x0, (uint16_t *)(void *)row + x1, word);
+    else
+        fill_row_small(c, row, x0, x1, word);
 }
 
 void canvas_fill(const struct canvas *c, int x, int y, int width, int height, uint32_t colour)
@@ -95,7 +83,7 @@ void canvas_frame(const struct canvas *c, int x, int y, int width, int height, i
 
 void canvas_dot(const struct canvas *c, int x, int y, uint32_t colour)
 {
-    if (x < 0 || y < 0 || x >= c->width || y >= c->height)
+    if (!canvas_holds(c, x, y))
         return;
     uint8_t *row = c->pixels + (uint32_t)y * c->pitch;
     if (c->bits == 8)
@@ -105,5 +93,5 @@ void canvas_dot(const struct canvas *c, int x, int y, uint32_t colour)
     else if (c->bits == 16)
         ((uint16_t *)(void *)row)[x] = (uint16_t)colour;
     else
-        fill_row(c, row, x, x + 1, repeated(c, colour));
+        fill_row_small(c, row, x, x + 1, repeated(c, colour));
 }

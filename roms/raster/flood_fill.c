@@ -5,7 +5,7 @@
 void flood_fill_begin(struct span_fill *f, const struct canvas *c, int x, int y, int connected,
                       uint32_t colour, struct span_seed *seeds, int room)
 {
-    uint32_t held = c->bits < 32 ? colour & ((1u << c->bits) - 1) : colour;
+    uint32_t held = canvas_held(c, colour);
     *f = (struct span_fill){.canvas = c,
                             .of_limit = true,
                             .colour = held,

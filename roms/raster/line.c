@@ -4,6 +4,8 @@
 
 #include "roms/raster/canvas.h"
 #include "roms/raster/line_bresenham.h"
+#include "roms/raster/pixel.h"
+#include "roms/raster/plot.h"
 
 /* The walk for pixels of whole bytes; `along` and `across` in pixels. */
 #define WALK(name, pixel)                                                                          \
@@ -35,27 +37,17 @@ static void walk_small(const struct canvas *c, struct line_bresenham l, uint32_t
     }
 }
 
-static bool within(const struct canvas *c, int x, int y)
-{
-    return x >= 0 && y >= 0 && x < c->width && y < c->height;
-}
-
-static bool near(int v)
-{
-    return v >= -LINE_FARTHEST && v <= LINE_FARTHEST;
-}
-
 void canvas_line(const struct canvas *c, int x0, int y0, int x1, int y1, uint32_t colour)
 {
     struct line_bresenham l;
-    if (!near(x0) || !near(y0) || !near(x1) || !near(y1))
+    if (!plot_line_near(x0, y0, x1, y1, LINE_FARTHEST))
         return;
     if (y0 == y1) {
         canvas_fill(c, x0 < x1 ? x0 : x1, y0, abs(x1 - x0) + 1, 1, colour);
         return;
     }
     line_bresenham_begin(&l, x0, y0, x1, y1);
-    if ((!within(c, x0, y0) || !within(c, x1, y1)) &&
+    if ((!canvas_holds(c, x0, y0) || !canvas_holds(c, x1, y1)) &&
         !line_bresenham_cut(&l, 0, 0, c->width - 1, c->height - 1))
         return;
     if (c->bits < 8) {

@@ -46,6 +46,8 @@ void canvas_line_dda(const struct canvas *c, int x0, int y0, int x1, int y1, uin
     }; /* drifts by less than half a pixel, so that it stays between its ends */
     struct line_dda l;
     struct plot plot;
+    if (!plot_line_near(x0, y0, x1, y1, LINE_DDA_FARTHEST))
+        return;
     bool whole = plot_begin_line(&plot, c, x0, y0, x1, y1, colour);
     line_dda_begin(&l, x0, y0, x1, y1);
     PLOT_EACH_FORMAT(draw_dda, &plot, whole && l.last <= STRAIGHT, l);

@@ -8,12 +8,12 @@
  *             rounded, a half upward, for each pixel. From the first end to the last, both drawn.
  * Cost:       a pixel: 2 float additions, 2 roundings (a float addition, a conversion and its
  *             correction each). A line: 2 float divisions.
- * Domain:     coordinates within ±2^22. What n additions lose adds up to n / 2 units of the last
+ * Domain:     coordinates within ±LINE_DDA_FARTHEST. What n additions lose adds up to n / 2 units of the last
  *             binary place of the greatest coordinate: below 2^13 at most 2^-12 a step, so that
  *             long lines drift away.
  * Units:      pixels; cases are named for y up.
  * Ownership:  plain values.
- * Errors:     none. A line of length 0 is a pixel.
+ * Errors:     lines with an end farther out are not drawn. A line of length 0 is a pixel.
  * Source:     J. D. Foley et al., Computer Graphics (1990), section 3.2.1; the name is that of
  *             machines that integrated by adding, such as MADDIDA (1949).
  */
@@ -22,7 +22,10 @@
 
 #include <stdbool.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/raster/canvas.h"
+
+enum { LINE_DDA_FARTHEST = 1 << 22 };
 
 struct line_dda {
     float x, y;         /* not rounded, after line_dda_next */
@@ -33,14 +36,6 @@ struct line_dda {
 
 void line_dda_begin(struct line_dda *l, int x0, int y0, int x1, int y1);
 
-/* The nearest whole number; a half goes up. */
-static inline int line_dda_round(float v)
-{
-    float moved = v + 0.5f;
-    int whole = (int)moved; /* toward 0 */
-    return whole - (moved < (float)whole);
-}
-
 /* Goes to the next pixel, at first to the first; false: there is none. */
 static inline bool line_dda_next(struct line_dda *l)
 {
@@ -50,8 +45,8 @@ static inline bool line_dda_next(struct line_dda *l)
         l->x += l->dx;
         l->y += l->dy;
     }
-    l->plot_x = line_dda_round(l->x);
-    l->plot_y = line_dda_round(l->y);
+    l->plot_x = scalar_nearest(l->x);
+    l->plot_y = scalar_nearest(l->y);
     return true;
 }
 

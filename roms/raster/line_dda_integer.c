@@ -36,6 +36,8 @@ void canvas_line_dda_integer(const struct canvas *c, int x0, int y0, int x1, int
 {
     struct line_dda_integer l;
     struct plot plot;
+    if (!plot_line_near(x0, y0, x1, y1, LINE_DDA_INTEGER_FARTHEST))
+        return;
     bool whole = plot_begin_line(&plot, c, x0, y0, x1, y1, colour);
     line_dda_integer_begin(&l, x0, y0, x1, y1, LINE_FRACTION_BITS);
     PLOT_EACH_FORMAT(draw_integer, &plot, whole, l);

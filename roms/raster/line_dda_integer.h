@@ -8,13 +8,13 @@
  *             the last, both drawn.
  * Cost:       a pixel: 8 additions and shifts of whole numbers. A line: 2 divisions of whole
  *             numbers.
- * Domain:     1 to 16 bits of fraction; |dx| and |dy| times 2^bits below 2^30: coordinates within
- *             ±2^13 with LINE_FRACTION_BITS. An increment is wrong by at most 2^-(bits+1), so that
+ * Domain:     1 to 16 bits of fraction; coordinates within ±LINE_DDA_INTEGER_FARTHEST, so that dx
+ *             times 2^bits does not overflow. An increment is wrong by at most 2^-(bits+1), so that
  *             pixel k is within a half and k / 2^(bits+1) of the line; with LINE_FRACTION_BITS a
  *             line of 4000 steps is within 0.531 pixels, and its last pixel is its end.
  * Units:      pixels; fractions: 2^-bits pixels.
  * Ownership:  plain values.
- * Errors:     none. A line of length 0 is a pixel. Too few bits miss the end: that can be seen.
+ * Errors:     lines with an end farther out are not drawn. A line of length 0 is a pixel. Too few bits miss the end: that can be seen.
  * Source:     J. D. Foley et al., Computer Graphics (1990), section 3.2.1; fixed point is older
  *             than floats.
  */
@@ -25,7 +25,7 @@
 
 #include "roms/raster/canvas.h"
 
-enum { LINE_FRACTION_BITS = 16 };
+enum { LINE_FRACTION_BITS = 16, LINE_DDA_INTEGER_FARTHEST = 8192 };
 
 /* whole + fraction / 2^bits; the fraction is not negative. */
 struct line_parts {

@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "roms/geometry/scalar.h"
+
 enum part { PART_POINT, PART_START, PART_SEGMENT, PART_END, PART_NONE };
 
 static struct point2 shifted(struct point2 p, struct point2 by, float k)
@@ -69,7 +71,7 @@ static void disc(struct thick_piece *piece, struct point2 p, float r)
 {
     int corners = 8 + (int)(8.4f * sqrtf(r)); /* 1/16 pixel between arc and chord; 126 at most */
     for (int i = 0; i < corners; i++) {
-        float angle = 6.2831853f * (float)i / (float)corners;
+        float angle = TURN * (float)i / (float)corners;
         add(piece, (struct point2){p.x + r * cosf(angle), p.y + r * sinf(angle)});
     }
 }

@@ -18,6 +18,12 @@ static inline bool canvas_holds(const struct canvas *c, int x, int y)
     return (unsigned)x < (unsigned)c->width && (unsigned)y < (unsigned)c->height;
 }
 
+/* A colour as pixels hold it. */
+static inline uint32_t canvas_held(const struct canvas *c, uint32_t colour)
+{
+    return c->bits < 32 ? colour & ((1u << c->bits) - 1) : colour;
+}
+
 static inline uint32_t canvas_pixel(const struct canvas *c, int x, int y)
 {
     const uint8_t *row = c->pixels + (uint32_t)y * c->pitch;

@@ -58,6 +58,13 @@ static inline bool plot_begin_line(struct plot *p, const struct canvas *c, int x
            x0 < c->width && x1 < c->width && y0 < c->height && y1 < c->height;
 }
 
+/* Are both ends within ±farthest, so that differences do not overflow? */
+static inline bool plot_line_near(int x0, int y0, int x1, int y1, int farthest)
+{
+    return x0 >= -farthest && x0 <= farthest && y0 >= -farthest && y0 <= farthest &&
+           x1 >= -farthest && x1 <= farthest && y1 >= -farthest && y1 <= farthest;
+}
+
 /* `bits` is a constant where these are called: 8, 16 or 32 after plot_begin, 0 after its no. */
 static inline void plot_1(const struct plot *p, unsigned bits, int x, int y)
 {

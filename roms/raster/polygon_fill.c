@@ -1,19 +1,15 @@
 #include "roms/raster/polygon_fill.h"
 
-_Static_assert(POLYGON_PARTS == 64, "shifts by 6");
+#include "roms/geometry/scalar.h"
+#include "roms/raster/fill_run.h"
 
-static int floor_of(float v)
-{
-    int i = (int)v;
-    return i - (v < (float)i);
-}
+_Static_assert(POLYGON_PARTS == 64, "shifts by 6");
 
 /* In 1/64 pixel. */
 static int32_t rounded(float v)
 {
     const float reach = POLYGON_REACH;
-    v = v > -reach ? v < reach ? v : reach : -reach; /* what is not a number is −reach */
-    return floor_of(v * POLYGON_PARTS + 0.5f);
+    return scalar_nearest(scalar_clamp(v, -reach, reach) * POLYGON_PARTS);
 }
 
 /* The first row at or below. */
@@ -156,35 +152,6 @@ bool polygon_fill_row(struct polygon_fill *f)
     return true;
 }
 
-/* Bytes from `at` to `end`, in words where there are whole ones. */
-static inline void run_of_bytes(uint8_t *at, uint8_t *end, uint32_t word)
-{
-    if (end - at >= 8) {
-        for (; ((uintptr_t)at & 3) != 0; at++)
-            *at = (uint8_t)word;
-        uint32_t *words = (uint32_t *)(void *)at;
-        for (; end - (uint8_t *)words >= 32; words += 8) {
-            words[0] = words[1] = words[2] = words[3] = word;
-            words[4] = words[5] = words[6] = words[7] = word;
-        }
-        for (; end - (uint8_t *)words >= 4; words++)
-            *words = word;
-        at = (uint8_t *)words;
-    }
-    for (; at < end; at++)
-        *at = (uint8_t)word;
-}
-
-static inline void run_of_words(uint32_t *at, uint32_t *end, uint32_t word)
-{
-    for (; end - at >= 8; at += 8) {
-        at[0] = at[1] = at[2] = at[3] = word;
-        at[4] = at[5] = at[6] = at[7] = word;
-    }
-    for (; at < end; at++)
-        *at = word;
-}
-
 /* Where runs go: the commonest formats without what canvas_fill has to ask for each. */
 struct filler {
     const struct canvas *c;
@@ -200,9 +167,9 @@ static inline void run_of(const struct filler *k, int x0, int x1, int y)
     if (x0 >= x1)
         return;
     if (c->bits == 8)
-        run_of_bytes(row + x0, row + x1, k->word);
+        fill_run_bytes(row + x0, row + x1, k->word);
     else if (c->bits == 32)
-        run_of_words((uint32_t *)(void *)row + x0, (uint32_t *)(void *)row + x1, k->colour);
+        fill_run_words((uint32_t *)(void *)row + x0, (uint32_t *)(void *)row + x1, k->colour);
     else
         canvas_fill(c, x0, y, x1 - x0, 1, k->colour);
 }

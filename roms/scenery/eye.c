@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "roms/light/clamp.h"
+#include "roms/geometry/scalar.h"
 #include "roms/raster/dither.h"
 
 /* ---- Mach bands ------------------------------------------------------------------------------ */
@@ -17,8 +17,8 @@ void eye_profile_make(struct eye_profile *p, int facets, bool interpolated)
     p->over = p->under = 0;
     for (int i = 0; i < MACH_SAMPLES; i++) {
         float more = p->seen[i] - p->intensity[i];
-        p->over = larger(p->over, more);
-        p->under = larger(p->under, -more);
+        p->over = scalar_max(p->over, more);
+        p->under = scalar_max(p->under, -more);
     }
 }
 
@@ -31,8 +31,8 @@ struct eye_facet eye_facet(const struct eye_profile *p, int facet)
                           mach_intensity(p->facets, p->interpolated, left + width - inside), 2, -2};
     int first = facet * MACH_SAMPLES / p->facets, last = (facet + 1) * MACH_SAMPLES / p->facets;
     for (int i = first; i < last; i++) {
-        f.least = smaller(f.least, p->seen[i]);
-        f.most = larger(f.most, p->seen[i]);
+        f.least = scalar_min(f.least, p->seen[i]);
+        f.most = scalar_max(f.most, p->seen[i]);
     }
     return f;
 }
@@ -98,7 +98,7 @@ static float ball(float x, float y)
     if (rr >= 1)
         return 0.04f + 0.08f * (y + 1);
     float z = sqrtf(1 - rr), light = (y - x + 1.4f * z) * 0.503f;
-    return 0.05f + 0.9f * larger(light, 0);
+    return 0.05f + 0.9f * scalar_max(light, 0);
 }
 
 struct halftone {

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "roms/geometry/projection_perspective.h"
+#include "roms/geometry/scalar.h"
 #include "roms/geometry/transform3.h"
 #include "roms/raster/polygon_fill.h"
 
@@ -23,11 +24,11 @@ void space_fit(struct space_view *view, float left, float bottom, float width, f
 {
     struct point2 low = places[0], high = places[0];
     for (int i = 1; i < count; i++) {
-        low = (struct point2){fminf(low.x, places[i].x), fminf(low.y, places[i].y)};
-        high = (struct point2){fmaxf(high.x, places[i].x), fmaxf(high.y, places[i].y)};
+        low = (struct point2){scalar_min(low.x, places[i].x), scalar_min(low.y, places[i].y)};
+        high = (struct point2){scalar_max(high.x, places[i].x), scalar_max(high.y, places[i].y)};
     }
-    float across = fmaxf(high.x - low.x, 1e-6f), up = fmaxf(high.y - low.y, 1e-6f);
-    view->scale = fminf(width / across, height / up);
+    float across = scalar_max(high.x - low.x, 1e-6f), up = scalar_max(high.y - low.y, 1e-6f);
+    view->scale = scalar_min(width / across, height / up);
     view->x = left + width / 2 - view->scale * (low.x + high.x) / 2;
     view->y = bottom + height / 2 - view->scale * (low.y + high.y) / 2;
 }

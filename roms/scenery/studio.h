@@ -26,7 +26,6 @@ struct studio {
     struct mesh_view view;
     const struct object *object; /* that the mesh is of */
     float reach;                 /* its farthest vertex from the origin */
-    bool flat[OBJECT_EDGES];     /* edges between polygons that lie almost in a plane */
 };
 
 /* At first: one light from the upper left, a shiny material, no object. */

@@ -2,6 +2,9 @@
 
 #include <stddef.h>
 
+#include "roms/geometry/projection_parallel.h"
+#include "roms/geometry/scalar.h"
+#include "roms/geometry/transform3.h"
 #include "roms/solids/models.h"
 #include "roms/solids/normals.h"
 
@@ -48,10 +51,7 @@ static void quad(struct object *o, const struct vector3 p[4], int attribute)
 /* Moves the vertices from `first` on. */
 static void move(struct object *o, int first, float x, float y, float z)
 {
-    struct matrix4 m = matrix4_identity();
-    m.at[0][3] = x;
-    m.at[1][3] = y;
-    m.at[2][3] = z;
+    struct matrix4 m = transform3_translate((struct vector3){x, y, z});
     object_transform(o, first, &m);
 }
 
@@ -142,15 +142,7 @@ bool scene_make(struct object *o, enum scene_which which)
 
 struct matrix4 view_turn(float yaw, float pitch)
 {
-    float y = yaw * 0.0174532925f, p = pitch * 0.0174532925f;
-    struct matrix4 about_y = matrix4_identity(), about_x = matrix4_identity();
-    about_y.at[0][0] = about_y.at[2][2] = cosf(y);
-    about_y.at[0][2] = sinf(y);
-    about_y.at[2][0] = -sinf(y);
-    about_x.at[1][1] = about_x.at[2][2] = cosf(p);
-    about_x.at[1][2] = -sinf(p);
-    about_x.at[2][1] = sinf(p);
-    return matrix4_product(&about_x, &about_y);
+    return projection_axonometric(yaw, pitch).matrix;
 }
 
 struct view view_on_canvas(const struct stage *stage, const struct matrix4 *turn, float eye,
@@ -169,7 +161,7 @@ float object_reach(const struct object *o)
 {
     float reach = 0;
     for (int i = 0; i < o->vertices; i++)
-        reach = fmaxf(reach, vector3_length(o->vertex[i]));
+        reach = scalar_max(reach, vector3_length(o->vertex[i]));
     return reach;
 }
 

@@ -40,7 +40,7 @@ struct workroom {
 };
 struct workroom *workroom(void);
 
-/* Turned by `yaw` about y, then by `pitch` about x; degrees. */
+/* Turned by `yaw` about y, then by `pitch` about x; degrees: projection_axonometric's. */
 struct matrix4 view_turn(float yaw, float pitch);
 /* A view with the origin at a place of the stage, `scale` stage units a unit: in pixels of its
  * canvas, in stage units. */

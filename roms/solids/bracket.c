@@ -1,5 +1,7 @@
 #include "roms/solids/bracket.h"
 
+#include "roms/geometry/scalar.h"
+
 enum { ANGLES = 32, ROUND = 24 };
 
 /* A plate with a hole: points on rays from the hole's middle, on both faces. */
@@ -9,8 +11,6 @@ struct plate {
     int outer[2][ANGLES], inner[2][ANGLES]; /* vertices; [0] is the face toward +z or +y */
     int line_first, line_last;              /* rays between these end where the plates meet */
 };
-
-static const float pi = 3.14159265f;
 
 /* The strip of the base between its hole's plate and the upright. */
 static float strip(const struct bracket *b)
@@ -36,7 +36,7 @@ bool bracket_fits(const struct bracket *b)
 static void add_ray(struct plate *p, float angle)
 {
     int i = p->count;
-    angle = angle < 0 ? angle + 2 * pi : angle;
+    angle = angle < 0 ? angle + TURN : angle;
     while (i > 0 && p->angle[i - 1] > angle + 0.02f)
         i--;
     if (i > 0 && p->angle[i - 1] > angle - 0.02f) {
@@ -51,7 +51,7 @@ static void add_ray(struct plate *p, float angle)
 static int ray_at(const struct plate *p, float angle)
 {
     int i = 0;
-    angle = angle < 0 ? angle + 2 * pi : angle;
+    angle = angle < 0 ? angle + TURN : angle;
     while (i + 1 < p->count && p->angle[i] < angle - 0.001f)
         i++;
     return i;
@@ -69,7 +69,7 @@ static void begin_rays(struct plate *p)
 {
     p->count = 0;
     for (int i = 0; i < ROUND; i++)
-        add_ray(p, 2 * pi * (float)i / ROUND);
+        add_ray(p, TURN * (float)i / ROUND);
 }
 
 /* Front at z = thickness, back at z = 0; above the hole's middle it is round. */
@@ -78,10 +78,10 @@ static bool upright_vertices(struct object *o, const struct bracket *b, struct p
     float right = b->width / 2, down = b->height - b->thickness, r = b->upper_diameter / 2;
     float corner = atan2f(down, right);
     begin_rays(p);
-    add_ray(p, pi + corner);
-    add_ray(p, 2 * pi - corner);
-    p->line_first = ray_at(p, pi + corner);
-    p->line_last = ray_at(p, 2 * pi - corner);
+    add_ray(p, PI + corner);
+    add_ray(p, TURN - corner);
+    p->line_first = ray_at(p, PI + corner);
+    p->line_last = ray_at(p, TURN - corner);
     for (int face = 0; face < 2; face++) {
         float z = face == 0 ? b->thickness : 0;
         for (int i = 0; i < p->count; i++) {
@@ -103,11 +103,11 @@ static bool base_vertices(struct object *o, const struct bracket *b, struct plat
     float half = b->depth - middle, corner = atan2f(half, right);
     begin_rays(p);
     add_ray(p, corner);
-    add_ray(p, pi - corner);
-    add_ray(p, pi + corner);
-    add_ray(p, 2 * pi - corner);
+    add_ray(p, PI - corner);
+    add_ray(p, PI + corner);
+    add_ray(p, TURN - corner);
     p->line_first = ray_at(p, corner);
-    p->line_last = ray_at(p, pi - corner);
+    p->line_last = ray_at(p, PI - corner);
     for (int face = 0; face < 2; face++) {
         float y = face == 0 ? b->thickness : 0;
         for (int i = 0; i < p->count; i++) {

@@ -95,21 +95,3 @@ bool object_normals(struct object *o, float crease_cosine)
         o->normal[i] = vector3_direction(o->normal[i]);
     return true;
 }
-
-int object_triangles(const struct object *o, struct object_triangle *out, int most)
-{
-    int count = 0;
-    for (int p = 0; p < o->polygons; p++) {
-        int first = o->polygon[p].first;
-        for (int k = 1; k + 1 < o->polygon[p].count && count < most; k++) {
-            int side[3] = {first, first + k, first + k + 1};
-            struct object_triangle *t = &out[count++];
-            t->polygon = (uint16_t)p;
-            for (int i = 0; i < 3; i++) {
-                t->vertex[i] = o->side[side[i]].start;
-                t->normal[i] = o->side_normal[side[i]];
-            }
-        }
-    }
-    return count;
-}

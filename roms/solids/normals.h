@@ -1,4 +1,4 @@
-/* normals.h — normals at the vertices by averaging, and triangles for those who shade.
+/* normals.h — normals at the vertices by averaging.
  *
  *           N1 ▲   ▲ Nv = (N1 + N2 + …) / |N1 + N2 + …|       over polygons that meet at the vertex
  *              │  ╱▲ N2                                       without a crease between them
@@ -8,7 +8,7 @@
  * that the rim of a cylinder stays an edge. With NORMALS_ROUND every vertex has one, as the formula
  * says.
  *
- * Models:     mean normals; fans of triangles.
+ * Models:     mean normals.
  * Cost:       object_normals: about 390 instructions a side.
  * Domain:     any object; polygons without area and their corners count for nothing.
  * Units:      normals have length 1.
@@ -26,14 +26,5 @@
 #define NORMALS_ROUND  (-2.0f) /* no crease anywhere */
 
 bool object_normals(struct object *o, float crease_cosine);
-
-/* Three corners of a polygon, counter-clockwise seen from outside. */
-struct object_triangle {
-    uint16_t vertex[3], normal[3]; /* indices of o->vertex, o->normal */
-    uint16_t polygon;
-};
-
-/* All of them: their count; what exceeds `most` is left out. */
-int object_triangles(const struct object *o, struct object_triangle *out, int most);
 
 #endif

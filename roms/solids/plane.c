@@ -11,18 +11,12 @@ struct plane plane_through(struct vector3 p1, struct vector3 p2, struct vector3 
     return p;
 }
 
-/* About the first corner, so that a polygon far from the origin loses nothing. */
 struct plane plane_of_polygon(const struct object *o, int polygon)
 {
-    const struct object_polygon *s = &o->polygon[polygon];
-    struct vector3 origin = o->vertex[object_corner(o, polygon, 0)], n = {0, 0, 0};
-    struct vector3 at = {0, 0, 0};
-    for (int i = 1; i < s->count; i++) {
-        struct vector3 to = vector3_difference(o->vertex[object_corner(o, polygon, i)], origin);
-        n = vector3_sum(n, vector3_cross(at, to));
-        at = to;
-    }
-    return (struct plane){n.x, n.y, n.z, -vector3_dot(n, origin)};
+    struct plane_sums s = plane_sums_begin(o->vertex[object_corner(o, polygon, 0)]);
+    for (int i = 1; i < o->polygon[polygon].count; i++)
+        plane_sums_add(&s, o->vertex[object_corner(o, polygon, i)]);
+    return plane_at(s.origin, s.normal);
 }
 
 struct vector3 plane_normal(const struct plane *p)
@@ -35,12 +29,13 @@ float plane_value(const struct plane *p, struct vector3 at)
     return p->a * at.x + p->b * at.y + p->c * at.z + p->d;
 }
 
-bool solid_convex_contains(const struct object *o, struct vector3 at)
+int solid_planes_outside(const struct object *o, struct vector3 at, int *first)
 {
+    int outside = 0;
     for (int i = 0; i < o->polygons; i++) {
         struct plane p = plane_of_polygon(o, i);
-        if (plane_value(&p, at) > 0)
-            return false;
+        if (plane_value(&p, at) > 0 && outside++ == 0)
+            *first = i;
     }
-    return o->polygons > 0;
+    return outside;
 }

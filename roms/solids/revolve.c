@@ -1,15 +1,14 @@
 /* revolve.c — surfaces of revolution: sphere, cylinder, torus. */
+#include "roms/geometry/scalar.h"
 #include "roms/solids/models.h"
 #include "roms/solids/rings.h"
-
-static const float two_pi = 6.28318531f;
 
 /* The ring of a point of the profile; a count of 0: no room. */
 static struct ring turn_point(struct object *o, struct point2 p, int segments)
 {
     struct ring ring = {o->vertices, p.x == 0 ? 1 : segments};
     for (int k = 0; k < ring.count; k++) {
-        float angle = two_pi * (float)k / (float)segments;
+        float angle = TURN * (float)k / (float)segments;
         if (object_vertex(o, p.x * sinf(angle), p.y, p.x * cosf(angle)) < 0)
             return (struct ring){0, 0};
     }
@@ -40,7 +39,7 @@ bool object_sphere(struct object *o, float radius, int segments, int rings, int 
     if (rings < 2 || rings > MODEL_RINGS)
         return false;
     for (int i = 0; i <= rings; i++) {
-        float angle = two_pi / 2 * (float)i / (float)rings;
+        float angle = TURN / 2 * (float)i / (float)rings;
         bool pole = i == 0 || i == rings;
         profile[i] = (struct point2){pole ? 0 : radius * sinf(angle), -radius * cosf(angle)};
     }
@@ -60,7 +59,7 @@ bool object_torus(struct object *o, float radius, float tube, int segments, int 
     if (rings < 3 || rings > MODEL_RINGS)
         return false;
     for (int i = 0; i < rings; i++) {
-        float angle = two_pi * (float)i / (float)rings;
+        float angle = TURN * (float)i / (float)rings;
         profile[i] = (struct point2){radius + tube * cosf(angle), tube * sinf(angle)};
     }
     return object_revolve(o, profile, rings, true, segments, attribute);

@@ -1,4 +1,5 @@
 /* tube.c — tubes along a path. */
+#include "roms/geometry/scalar.h"
 #include "roms/solids/models.h"
 #include "roms/solids/rings.h"
 
@@ -9,7 +10,7 @@ static struct ring tube_vertices(struct object *o, const struct tube_ring *t, in
     struct point2 side = {-t->along.y / length, t->along.x / length};
     struct ring ring = {o->vertices, segments};
     for (int k = 0; k < segments; k++) {
-        float angle = 6.28318531f * (float)k / (float)segments;
+        float angle = TURN * (float)k / (float)segments;
         float out = t->radius * cosf(angle);
         if (object_vertex(o, t->centre.x + out * side.x, t->centre.y + out * side.y,
                           t->radius * sinf(angle)) < 0)

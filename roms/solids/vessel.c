@@ -1,63 +1,47 @@
 /* vessel.c — a vessel with a lid, a handle and a spout, made of cubic Bézier curves: profiles that
  * are turned about y, paths that tubes follow. */
+#include "roms/curves/bezier.h"
 #include "roms/solids/models.h"
 
 enum { PROFILE_POINTS = 3 * VESSEL_SEGMENTS / 4 + 2, TUBE_RINGS = 2 * VESSEL_SEGMENTS / 4 + 4 };
 
-/* (r, y), from below. */
-static const struct point2 body_profile[2][4] = {
-    {{0.62f, -0.80f}, {1.10f, -0.62f}, {1.20f, 0.14f}, {0.80f, 0.44f}},
-    {{0.80f, 0.44f}, {0.66f, 0.545f}, {0.56f, 0.56f}, {0.62f, 0.70f}},
+/* (r, y, 0), from below. */
+static const struct vector3 body_profile[2][4] = {
+    {{0.62f, -0.80f, 0}, {1.10f, -0.62f, 0}, {1.20f, 0.14f, 0}, {0.80f, 0.44f, 0}},
+    {{0.80f, 0.44f, 0}, {0.66f, 0.545f, 0}, {0.56f, 0.56f, 0}, {0.62f, 0.70f, 0}},
 };
-static const struct point2 lid_profile[3][4] = {
-    {{0.58f, 0.69f}, {0.56f, 0.90f}, {0.16f, 0.84f}, {0.09f, 0.95f}},
-    {{0.09f, 0.95f}, {0.05f, 1.01f}, {0.20f, 1.02f}, {0.20f, 1.11f}},
-    {{0.20f, 1.11f}, {0.20f, 1.18f}, {0.10f, 1.22f}, {0.00f, 1.22f}},
+static const struct vector3 lid_profile[3][4] = {
+    {{0.58f, 0.69f, 0}, {0.56f, 0.90f, 0}, {0.16f, 0.84f, 0}, {0.09f, 0.95f, 0}},
+    {{0.09f, 0.95f, 0}, {0.05f, 1.01f, 0}, {0.20f, 1.02f, 0}, {0.20f, 1.11f, 0}},
+    {{0.20f, 1.11f, 0}, {0.20f, 1.18f, 0}, {0.10f, 1.22f, 0}, {0.00f, 1.22f, 0}},
 };
-static const struct point2 handle_path[4] = {
-    {-0.72f, 0.40f}, {-1.75f, 0.72f}, {-1.72f, -0.52f}, {-0.92f, -0.44f}};
-static const struct point2 spout_path[4] = {
-    {0.80f, -0.34f}, {1.60f, -0.30f}, {1.22f, 0.50f}, {1.78f, 0.62f}};
+static const struct vector3 handle_path[4] = {
+    {-0.72f, 0.40f, 0}, {-1.75f, 0.72f, 0}, {-1.72f, -0.52f, 0}, {-0.92f, -0.44f, 0}};
+static const struct vector3 spout_path[4] = {
+    {0.80f, -0.34f, 0}, {1.60f, -0.30f, 0}, {1.22f, 0.50f, 0}, {1.78f, 0.62f, 0}};
 
-static struct point2 curve_at(const struct point2 p[4], float u)
-{
-    float v = 1 - u, b0 = v * v * v, b1 = 3 * u * v * v, b2 = 3 * u * u * v, b3 = u * u * u;
-    return (struct point2){b0 * p[0].x + b1 * p[1].x + b2 * p[2].x + b3 * p[3].x,
-                           b0 * p[0].y + b1 * p[1].y + b2 * p[2].y + b3 * p[3].y};
-}
-
-/* Its derivative by u, times a third. */
-static struct point2 curve_direction(const struct point2 p[4], float u)
-{
-    float v = 1 - u, b0 = v * v, b1 = 2 * u * v, b2 = u * u;
-    return (struct point2){b0 * (p[1].x - p[0].x) + b1 * (p[2].x - p[1].x) + b2 * (p[3].x - p[2].x),
-                           b0 * (p[1].y - p[0].y) + b1 * (p[2].y - p[1].y) +
-                               b2 * (p[3].y - p[2].y)};
-}
-
-static bool turned(struct object *o, const struct point2 (*curve)[4], int curves, float size,
+static bool turned(struct object *o, const struct vector3 (*curve)[4], int curves, float size,
                    int segments, int attribute)
 {
     struct point2 profile[PROFILE_POINTS];
     int steps = segments / 4, count = 0;
     for (int c = 0; c < curves; c++)
         for (int i = c == 0 ? 0 : 1; i <= steps; i++) {
-            struct point2 p = curve_at(curve[c], (float)i / (float)steps);
+            struct vector3 p = bezier_point(curve[c], 4, (float)i / (float)steps);
             profile[count++] = (struct point2){p.x * size, p.y * size};
         }
     return object_revolve(o, profile, count, false, segments, attribute);
 }
 
 /* Rings along a curve; radii go from r0 to r1. */
-static int along_curve(struct tube_ring *ring, const struct point2 path[4], int steps, float r0,
+static int along_curve(struct tube_ring *ring, const struct vector3 path[4], int steps, float r0,
                        float r1, float size)
 {
     for (int i = 0; i <= steps; i++) {
         float u = (float)i / (float)steps;
-        struct point2 at = curve_at(path, u);
-        ring[i] = (struct tube_ring){{at.x * size, at.y * size},
-                                     curve_direction(path, u),
-                                     size * (r0 + (r1 - r0) * u * (2 - u))};
+        struct vector3 at = bezier_point(path, 4, u), along = bezier_derivative(path, 4, u);
+        ring[i] = (struct tube_ring){
+            {at.x * size, at.y * size}, {along.x, along.y}, size * (r0 + (r1 - r0) * u * (2 - u))};
     }
     return steps + 1;
 }

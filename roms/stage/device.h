@@ -11,6 +11,7 @@
 
 #include <math.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/stage/stage.h"
 
 enum {
@@ -25,45 +26,32 @@ static inline bool device_sane(struct point2 p)
     return fabsf(p.x) <= DEVICE_FARTHEST && fabsf(p.y) <= DEVICE_FARTHEST;
 }
 
-static inline float device_between(float v, float low, float high)
-{
-    return v < low ? low : v > high ? high : v;
-}
-
 /* In the picture, whatever rounding did. */
 static inline struct point2 device_inside(struct point2 p)
 {
-    return (struct point2){device_between(p.x, 0, STAGE_WIDTH),
-                           device_between(p.y, 0, STAGE_HEIGHT)};
-}
-
-/* floor(v + 1/2) without a call. */
-static inline int device_nearest(float v)
-{
-    int i = (int)(v + 0.5f);
-    return i - ((float)i > v + 0.5f);
+    return (struct point2){scalar_clamp(p.x, 0, STAGE_WIDTH), scalar_clamp(p.y, 0, STAGE_HEIGHT)};
 }
 
 static inline int device_dot(const struct stage *s, float x)
 {
-    return device_nearest(stage_canvas_x(s, x));
+    return scalar_nearest(stage_canvas_x(s, x));
 }
 
 static inline int device_row(const struct stage *s, float y)
 {
-    return device_nearest(stage_canvas_y(s, y));
+    return scalar_nearest(stage_canvas_y(s, y));
 }
 
 /* 1200 units across are 1024: the last one is 1023. */
 static inline int device_head_x(const struct stage *s, float x)
 {
-    int at = device_nearest(stage_head_x(s, x));
+    int at = scalar_nearest(stage_head_x(s, x));
     return at > 1023 ? 1023 : at;
 }
 
 static inline int device_head_y(const struct stage *s, float y)
 {
-    return device_nearest(stage_head_y(s, y));
+    return scalar_nearest(stage_head_y(s, y));
 }
 
 #endif

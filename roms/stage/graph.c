@@ -4,6 +4,8 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "roms/geometry/scalar.h"
+
 /* Beyond these a point of the world is not looked at: squares and differences stay finite. */
 #define FARTHEST 1e15f
 /* A window is not narrower than this part of its distance from the origin: floats must tell its
@@ -38,17 +40,18 @@ struct graph graph_fit(struct stage *stage, float left, float bottom, float widt
     struct box b = box_of(points, count);
     float x = (b.low.x + b.high.x) / 2, y = (b.low.y + b.high.y) / 2;
     float across = b.high.x - b.low.x, up = b.high.y - b.low.y;
-    float least = fmaxf(NARROWEST * fmaxf(fabsf(x), fabsf(y)), 1e-15f);
-    if (fmaxf(across, up) <= least)
-        across = up = fmaxf(x == 0 && y == 0 ? 1 : 0.5f * fmaxf(fabsf(x), fabsf(y)), least);
-    float sx = fmaxf(width - 2 * MARGIN, 1) / fmaxf(across, least);
-    float sy = fmaxf(height - 2 * MARGIN, 1) / fmaxf(up, least);
+    float least = scalar_max(NARROWEST * scalar_max(fabsf(x), fabsf(y)), 1e-15f);
+    if (scalar_max(across, up) <= least)
+        across = up =
+            scalar_max(x == 0 && y == 0 ? 1 : 0.5f * scalar_max(fabsf(x), fabsf(y)), least);
+    float sx = scalar_max(width - 2 * MARGIN, 1) / scalar_max(across, least);
+    float sy = scalar_max(height - 2 * MARGIN, 1) / scalar_max(up, least);
     struct graph g = {.stage = stage,
                       .left = left,
                       .bottom = bottom,
                       .width = width,
                       .height = height,
-                      .scale = fminf(sx, sy)};
+                      .scale = scalar_min(sx, sy)};
     g.x_min = x - width / 2 / g.scale;
     g.y_min = y - height / 2 / g.scale;
     g.x_max = g.x_min + width / g.scale;
@@ -131,7 +134,7 @@ static struct ticks ticks(float low, float high, float step)
 {
     struct ticks t = {.step = step, .first = ceilf(low / step + 0.2f)};
     float last = floorf(high / step - 0.2f);
-    t.count = (int)fminf(fmaxf(last - t.first + 1, 0), MOST_TICKS);
+    t.count = (int)scalar_min(scalar_max(last - t.first + 1, 0), MOST_TICKS);
     return t;
 }
 
@@ -189,7 +192,8 @@ static void y_axis(const struct graph *g, float step, float x0)
 void graph_axes(const struct graph *g)
 {
     float step = round_step(APART / g->scale);
-    float y0 = fminf(fmaxf(0, g->y_min), g->y_max), x0 = fminf(fmaxf(0, g->x_min), g->x_max);
+    float y0 = scalar_min(scalar_max(0, g->y_min), g->y_max),
+          x0 = scalar_min(scalar_max(0, g->x_min), g->x_max);
     enum ink ink = g->stage->ink;
     stage_ink(g->stage, INK_GRID);
     graph_line(g, (struct point2){g->x_min, y0}, (struct point2){g->x_max, y0});

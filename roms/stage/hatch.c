@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "roms/geometry/scalar.h"
+
 enum { LEAST_APART = 3 };
 
 /* Turned by the angle of the lines: x along them, y across. */
@@ -31,16 +33,16 @@ void hatch_area(struct stage *stage, const struct point2 *p, int count)
 {
     struct point2 q[STAGE_AREA_CORNERS];
     float at[STAGE_AREA_CORNERS], low = INFINITY, high = -INFINITY;
-    float apart = fmaxf(stage->hatch_apart, LEAST_APART);
-    float angle = stage->hatch_degrees * 0.017453293f, c = cosf(angle), s = sinf(angle);
+    float apart = scalar_max(stage->hatch_apart, LEAST_APART);
+    float angle = stage->hatch_degrees * DEGREE, c = cosf(angle), s = sinf(angle);
     const float farthest = hypotf(STAGE_WIDTH, STAGE_HEIGHT); /* what is beyond is not seen */
     for (int i = 0; i < count; i++) {
         q[i] = turned(p[i], c, s);
-        low = fminf(low, q[i].y);
-        high = fmaxf(high, q[i].y);
+        low = scalar_min(low, q[i].y);
+        high = scalar_max(high, q[i].y);
     }
-    low = fmaxf(low, -farthest);
-    high = fminf(high, farthest);
+    low = scalar_max(low, -farthest);
+    high = scalar_min(high, farthest);
     for (float k = ceilf(low / apart); k * apart < high; k++) {
         int found = crossed(q, count, k * apart, at);
         for (int i = 0; i + 1 < found; i += 2) {

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "roms/clip/liang_barsky.h"
+#include "roms/geometry/scalar.h"
 #include "roms/raster/polygon_fill.h"
 #include "roms/stage/device.h"
 #include "roms/stage/hatch.h"
@@ -78,8 +79,8 @@ static void broken(struct stage *s, unsigned heads, struct point2 a, struct poin
     while (at < length) {
         float left;
         bool lit = dash_at(dash, phase, &left) % 2 == 0;
-        left = fminf(fmaxf(left, SHORTEST_DASH), length - at);
-        float t0 = at / length, t1 = fminf((at + left) / length, 1);
+        left = scalar_min(scalar_max(left, SHORTEST_DASH), length - at);
+        float t0 = at / length, t1 = scalar_min((at + left) / length, 1);
         if (lit)
             solid(s, heads, (struct point2){a.x + t0 * (b.x - a.x), a.y + t0 * (b.y - a.y)},
                   (struct point2){a.x + t1 * (b.x - a.x), a.y + t1 * (b.y - a.y)});
@@ -93,7 +94,7 @@ static void broken(struct stage *s, unsigned heads, struct point2 a, struct poin
 /* A vector that is long enough is broken by the vector generator. */
 static bool breaks_itself(const struct stage *s, struct point2 a, struct point2 b)
 {
-    float longer = fmaxf(fabsf(b.x - a.x), fabsf(b.y - a.y)) * s->units;
+    float longer = scalar_max(fabsf(b.x - a.x), fabsf(b.y - a.y)) * s->units;
     return longer >= 2 * LONGEST_PERIOD;
 }
 
@@ -147,8 +148,10 @@ static bool upright(const struct point2 *p, int count)
 
 static void fill_upright(const struct canvas *c, const struct point2 *p, uint32_t colour)
 {
-    int x0 = polygon_first(fminf(p[0].x, p[2].x)), x1 = polygon_first(fmaxf(p[0].x, p[2].x));
-    int y0 = polygon_first(fminf(p[0].y, p[2].y)), y1 = polygon_first(fmaxf(p[0].y, p[2].y));
+    int x0 = polygon_first(scalar_min(p[0].x, p[2].x)),
+        x1 = polygon_first(scalar_max(p[0].x, p[2].x));
+    int y0 = polygon_first(scalar_min(p[0].y, p[2].y)),
+        y1 = polygon_first(scalar_max(p[0].y, p[2].y));
     canvas_fill(c, x0, y0, x1 - x0, y1 - y0, colour);
 }
 

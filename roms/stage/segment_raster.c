@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/stage/device.h"
 #include "roms/stage/segment_parts.h"
 
@@ -21,22 +22,12 @@ static bool touch(struct segment_box a, struct segment_box b)
     return !is_empty(a) && !is_empty(b) && a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1;
 }
 
-static int lower(int a, int b)
-{
-    return a < b ? a : b;
-}
-
-static int higher(int a, int b)
-{
-    return a > b ? a : b;
-}
-
 static struct segment_box join(struct segment_box a, struct segment_box b)
 {
     if (is_empty(a) || is_empty(b))
         return is_empty(a) ? b : a;
-    return (struct segment_box){lower(a.x0, b.x0), lower(a.y0, b.y0), higher(a.x1, b.x1),
-                                higher(a.y1, b.y1)};
+    return (struct segment_box){scalar_min_int(a.x0, b.x0), scalar_min_int(a.y0, b.y0),
+                                scalar_max_int(a.x1, b.x1), scalar_max_int(a.y1, b.y1)};
 }
 
 /* What a rectangle of stage units covers of the picture. */
@@ -46,10 +37,10 @@ static struct segment_box covered(const struct segments *s, struct point2 low, s
     struct canvas c = stage_picture(s->stage, &left, &top);
     low = device_inside(low);
     high = device_inside(high);
-    return (struct segment_box){higher(device_dot(s->stage, low.x) - 1, left),
-                                higher(device_row(s->stage, high.y) - 1, top),
-                                lower(device_dot(s->stage, high.x) + 2, left + c.width),
-                                lower(device_row(s->stage, low.y) + 2, top + c.height)};
+    return (struct segment_box){scalar_max_int(device_dot(s->stage, low.x) - 1, left),
+                                scalar_max_int(device_row(s->stage, high.y) - 1, top),
+                                scalar_min_int(device_dot(s->stage, high.x) + 2, left + c.width),
+                                scalar_min_int(device_row(s->stage, low.y) + 2, top + c.height)};
 }
 
 struct segment_box segment_raster_box(const struct segments *s, const struct segment *g)
@@ -158,7 +149,7 @@ static float distance_to_line(struct point2 p, struct point2 a, struct point2 b)
 {
     float dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
     float t = square > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / square : 0;
-    t = fminf(fmaxf(t, 0), 1);
+    t = scalar_min(scalar_max(t, 0), 1);
     return hypotf(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
@@ -174,8 +165,9 @@ static bool inside(struct point2 p, const struct point2 *q, int count)
 
 static float distance_to_text(struct point2 p, struct point2 at, const char *text)
 {
-    struct point2 near = {fminf(fmaxf(p.x, at.x), at.x + (float)(strlen(text) * STAGE_CHARACTER)),
-                          fminf(fmaxf(p.y, at.y), at.y + STAGE_CHARACTER)};
+    struct point2 near = {
+        scalar_min(scalar_max(p.x, at.x), at.x + (float)(strlen(text) * STAGE_CHARACTER)),
+        scalar_min(scalar_max(p.y, at.y), at.y + STAGE_CHARACTER)};
     return hypotf(p.x - near.x, p.y - near.y);
 }
 
@@ -194,7 +186,7 @@ static float distance(struct point2 place, const struct segment_primitive *p)
                            : i + 1 < p->count ? p->at[i + 1]
                            : goes_round       ? p->at[0]
                                               : p->at[i];
-        nearest = fminf(nearest, distance_to_line(place, p->at[i], to));
+        nearest = scalar_min(nearest, distance_to_line(place, p->at[i], to));
     }
     return nearest;
 }

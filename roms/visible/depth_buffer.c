@@ -1,16 +1,10 @@
 #include "roms/visible/depth_buffer.h"
 
-static void fill(float *at, int count, float value)
-{
-    for (; count >= 8; count -= 8, at += 8)
-        at[0] = at[1] = at[2] = at[3] = at[4] = at[5] = at[6] = at[7] = value;
-    while (count-- > 0)
-        *at++ = value;
-}
+#include "roms/raster/fill_run.h"
 
 void depth_clear(const struct depth_buffer *b, float far)
 {
-    fill(b->depth, b->width * b->height, far);
+    fill_run_floats(b->depth, b->depth + b->width * b->height, far);
 }
 
 void depth_clear_part(const struct depth_buffer *b, int x, int y, int width, int height, float far)
@@ -18,6 +12,8 @@ void depth_clear_part(const struct depth_buffer *b, int x, int y, int width, int
     int x1 = x + width < b->width ? x + width : b->width;
     int y1 = y + height < b->height ? y + height : b->height;
     x = x > 0 ? x : 0;
-    for (y = y > 0 ? y : 0; y < y1; y++)
-        fill(b->depth + y * b->width + x, x1 - x, far);
+    for (y = y > 0 ? y : 0; y < y1; y++) {
+        float *row = b->depth + y * b->width;
+        fill_run_floats(row + x, row + x1, far);
+    }
 }

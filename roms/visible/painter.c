@@ -1,5 +1,6 @@
 #include "roms/visible/painter.h"
 
+#include "roms/geometry/scalar.h"
 #include "roms/visible/surface_scan.h"
 
 /* Picture units: surfaces that touch do not overlap. */
@@ -11,12 +12,12 @@ static struct painter_extent extent_of(const struct scene *scene, const struct s
     struct painter_extent e = {p.x, p.x, p.y, p.y, p.z, p.z};
     for (int i = 1; i < s->count; i++) {
         p = scene_corner(scene, s, i);
-        e.x0 = fminf(e.x0, p.x);
-        e.x1 = fmaxf(e.x1, p.x);
-        e.y0 = fminf(e.y0, p.y);
-        e.y1 = fmaxf(e.y1, p.y);
-        e.z0 = fminf(e.z0, p.z);
-        e.z1 = fmaxf(e.z1, p.z);
+        e.x0 = scalar_min(e.x0, p.x);
+        e.x1 = scalar_max(e.x1, p.x);
+        e.y0 = scalar_min(e.y0, p.y);
+        e.y1 = scalar_max(e.y1, p.y);
+        e.z0 = scalar_min(e.z0, p.z);
+        e.z1 = scalar_max(e.z1, p.z);
     }
     return e;
 }

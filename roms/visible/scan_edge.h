@@ -21,6 +21,7 @@
 
 #include <stdbool.h>
 
+#include "roms/geometry/scalar.h"
 #include "roms/geometry/vector.h"
 
 struct scan_edge {
@@ -28,19 +29,12 @@ struct scan_edge {
     float x, slope;  /* on the first row, then on the row at hand; dx/dy */
 };
 
-/* The least whole number that is not below x. Cost: 4 instructions. */
-static inline int scan_ceil(float x)
-{
-    int whole = (int)x;
-    return whole + ((float)whole < x);
-}
-
 /* Rows below 0 are left out. */
 static inline struct scan_edge scan_edge_between(struct vector3 a, struct vector3 b)
 {
     bool down = a.y < b.y || (a.y == b.y && a.x < b.x);
     struct vector3 low = down ? a : b, high = down ? b : a;
-    struct scan_edge e = {scan_ceil(low.y), scan_ceil(high.y) - 1, low.x, 0};
+    struct scan_edge e = {scalar_ceil(low.y), scalar_ceil(high.y) - 1, low.x, 0};
     if (e.first < 0)
         e.first = 0;
     if (e.first <= e.last) {

@@ -1,5 +1,7 @@
 #include "roms/visible/scan_line.h"
 
+#include "roms/geometry/scalar.h"
+
 /* ---- edge table ------------------------------------------------------------------------------ */
 
 static void enter(struct scan_line *s, int surface, struct scan_edge edge)
@@ -91,7 +93,7 @@ static void turn_flag(struct scan_line *s, uint16_t surface)
 static int edge_pixel(const struct scan_line *s, int i)
 {
     float x = s->edge[s->active[i]].edge.x;
-    return x <= 0 ? 0 : x >= (float)s->width ? s->width : scan_ceil(x);
+    return x <= 0 ? 0 : x >= (float)s->width ? s->width : scalar_ceil(x);
 }
 
 static float depth_at(const struct scan_line *s, int surface, int x)
@@ -125,7 +127,7 @@ static void choose_nearest(const struct scan_line *s, struct scan_run *run)
         /* In front from the first whole x with gain·x > behind, or >= behind if it comes first. */
         if (gain <= 0 || behind >= gain * (float)(run->x1 - run->x0))
             continue;
-        int x = run->x0 + scan_ceil(behind / gain);
+        int x = run->x0 + scalar_ceil(behind / gain);
         if (s->flagged[i] > run->surface && gain * (float)(x - run->x0) <= behind)
             x++;
         x = x > run->x0 ? x : run->x0 + 1;

@@ -43,16 +43,13 @@ static bool add_vertices(struct scene *s, const struct object *o, const struct v
  * thinner than a part of a pixel can be told from what is not. */
 static struct plane projected_plane(const struct scene *s, const struct surface *f)
 {
-    struct vector3 origin = scene_corner(s, f, 0), at = {0, 0, 0}, n = {0, 0, 0};
-    for (int i = 1; i < f->count; i++) {
-        struct vector3 to = vector3_difference(scene_corner(s, f, i), origin);
-        n = vector3_sum(n, vector3_cross(at, to));
-        at = to;
-    }
-    n = vector3_direction(n);
+    struct plane_sums sums = plane_sums_begin(scene_corner(s, f, 0));
+    for (int i = 1; i < f->count; i++)
+        plane_sums_add(&sums, scene_corner(s, f, i));
+    struct vector3 n = vector3_direction(sums.normal);
     if (fabsf(n.z) < 1e-4f)
         n.z = 0;
-    return (struct plane){n.x, n.y, n.z, -vector3_dot(n, origin)};
+    return plane_at(sums.origin, n);
 }
 
 static bool is_back_face(const struct object *o, int polygon, const struct view *v,
@@ -61,7 +58,7 @@ static bool is_back_face(const struct object *o, int polygon, const struct view 
     if (v->eye == 0)
         return back_face_parallel(normal, (struct vector3){0, 0, -1});
     struct vector3 p = matrix4_apply(&v->turn, o->vertex[object_corner(o, polygon, 0)]);
-    struct plane plane = {normal.x, normal.y, normal.z, -vector3_dot(normal, p)};
+    struct plane plane = plane_at(p, normal);
     return back_face_perspective(&plane, (struct vector3){0, 0, v->eye});
 }
 

@@ -1,5 +1,7 @@
 #include "roms/visible/surface_scan.h"
 
+#include "roms/geometry/scalar.h"
+
 static void insert(struct surface_scan *s, struct scan_edge e)
 {
     int k = s->count++;
@@ -52,7 +54,7 @@ bool surface_scan_next(struct surface_scan *s)
     if (++s->y > s->last || !advance(s, &s->a) || !advance(s, &s->b))
         return false;
     float left = s->a.x < s->b.x ? s->a.x : s->b.x, right = s->a.x < s->b.x ? s->b.x : s->a.x;
-    s->x0 = left > 0 ? scan_ceil(left) : 0;
-    s->x1 = right < (float)s->width ? scan_ceil(right) : s->width;
+    s->x0 = left > 0 ? scalar_ceil(left) : 0;
+    s->x1 = right < (float)s->width ? scalar_ceil(right) : s->width;
     return true;
 }

@@ -13,6 +13,15 @@
 static uint32_t random_state = 7;
 static bool all = true;
 
+static struct vector3 casteljau_point(const struct vector3 *points, int count, float u)
+{
+    struct casteljau c;
+    casteljau_begin(&c, points, count, u);
+    while (casteljau_next(&c))
+        continue;
+    return casteljau_at(&c, count - 1, 0);
+}
+
 static uint32_t random_below(uint32_t limit)
 {
     random_state = random_state * 1664525u + 1013904223u;

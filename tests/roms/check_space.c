@@ -9,6 +9,7 @@
 #include "roms/geometry/projection_parallel.h"
 #include "roms/geometry/projection_perspective.h"
 #include "roms/geometry/rotate_axis.h"
+#include "roms/geometry/scalar.h"
 #include "roms/geometry/view3.h"
 
 enum { CASES = 2000 };
@@ -45,8 +46,7 @@ static bool orthonormal(const struct matrix4 *m)
 /* v cos θ + (k × v) sin θ + k (k·v)(1 − cos θ), about the line through p. */
 static struct vector3 rodrigues(struct vector3 p, struct vector3 k, float degrees, struct vector3 v)
 {
-    float s, c;
-    transform3_sine_cosine(degrees, &s, &c);
+    float s = scalar_sine_cosine(degrees).sine, c = scalar_sine_cosine(degrees).cosine;
     v = vector3_difference(v, p);
     struct vector3 turned = vector3_sum(vector3_times(v, c), vector3_times(vector3_cross(k, v), s));
     turned = vector3_sum(turned, vector3_times(k, vector3_dot(k, v) * (1 - c)));

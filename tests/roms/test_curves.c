@@ -23,6 +23,15 @@
 
 /* ---- Bézier ---------------------------------------------------------------------------------- */
 
+static struct vector3 casteljau_point(const struct vector3 *points, int count, float u)
+{
+    struct casteljau c;
+    casteljau_begin(&c, points, count, u);
+    while (casteljau_next(&c))
+        continue;
+    return casteljau_at(&c, count - 1, 0);
+}
+
 static void binomials_are_pascals(void **state)
 {
     (void)state;

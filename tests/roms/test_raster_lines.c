@@ -373,6 +373,32 @@ static void lines_beyond_the_domain_are_left_out(void **state)
             assert_int_equal(c.pixels[y * SIDE + x], x == y);
 }
 
+/* The DDAs' domains are smaller, and each reaches its own end. */
+static void dda_lines_beyond_the_domain_are_left_out(void **state)
+{
+    (void)state;
+    struct canvas c = canvas_of(8, SIDE, SIDE);
+    static const int far[] = {INT32_MIN, INT32_MAX, LINE_DDA_INTEGER_FARTHEST + 1,
+                              -LINE_DDA_INTEGER_FARTHEST - 1};
+    for (int i = 0; i < 4; i++) {
+        int more = i < 2 ? far[i] : far[i] * (LINE_DDA_FARTHEST / LINE_DDA_INTEGER_FARTHEST);
+        canvas_line_dda_integer(&c, far[i], 5, 20, 9, 1);
+        canvas_line_dda_integer(&c, 20, far[i], 5, 9, 1);
+        canvas_line_dda_integer(&c, 20, 9, far[i], 5, 1);
+        canvas_line_dda(&c, more, 5, 20, 9, 1);
+        canvas_line_dda(&c, 20, 9, 5, more, 1);
+    }
+    for (size_t i = 0; i < sizeof memory / sizeof *memory; i++)
+        assert_int_equal(memory[i], 0);
+    const int end = LINE_DDA_INTEGER_FARTHEST;
+    canvas_line_dda_integer(&c, -end, -end, end, end, 1);
+    canvas_line_dda_integer(&c, end, 0, -end, 0, 1);
+    canvas_line_dda(&c, -LINE_DDA_FARTHEST, 9, LINE_DDA_FARTHEST, 9, 1);
+    for (int y = 0; y < SIDE; y++)
+        for (int x = 0; x < SIDE; x++)
+            assert_int_equal(c.pixels[y * SIDE + x], x == y || y == 0 || y == 9);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -388,6 +414,7 @@ int main(void)
         cmocka_unit_test(canvas_lines_are_the_iterators),
         cmocka_unit_test(canvas_lines_of_the_ddas),
         cmocka_unit_test(lines_beyond_the_domain_are_left_out),
+        cmocka_unit_test(dda_lines_beyond_the_domain_are_left_out),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

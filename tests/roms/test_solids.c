@@ -11,6 +11,7 @@
 #include <string.h>
 #include <cmocka.h>
 
+#include "roms/curves/bezier.c"
 #include "roms/geometry/matrix4.c"
 #include "roms/solids/box.c"
 #include "roms/solids/bracket.c"
@@ -29,7 +30,6 @@ static const double turn = 6.283185307179586;
 static struct {
     struct object object;
     struct object_check check;
-    struct object_triangle triangle[4096];
     uint32_t random;
 } rig = {.random = 99};
 
@@ -260,7 +260,7 @@ static void vessels_are_four_solids(void **state)
     object_clear(&rig.object);
     assert_true(object_vessel(&rig.object, 1, 16, 0));
     assert_true(object_normals(&rig.object, NORMALS_CREASE));
-    assert_in_range(object_triangles(&rig.object, rig.triangle, 4096), 900, 1200);
+    assert_in_range(rig.object.sides - 2 * rig.object.polygons, 900, 1200); /* triangles */
 }
 
 static void brackets_have_two_tunnels(void **state)
@@ -475,32 +475,32 @@ static void a_box_keeps_its_edges(void **state)
     assert_int_equal(rig.object.normals, 64); /* side and end at each corner */
 }
 
-/* Every triangle faces outward as its polygon does, and they cover it. */
-static void triangles_are_the_polygons(void **state)
+/* The triangles that a polygon's corners make with its first one face outward as it does, and cover
+ * it; its corners' normals do, too. */
+static void polygons_are_fans_of_triangles(void **state)
 {
     (void)state;
+    const struct object *o = &rig.object;
     object_clear(&rig.object);
     assert_true(object_vessel(&rig.object, 1, 16, 0));
     assert_true(object_normals(&rig.object, NORMALS_CREASE));
-    int count = object_triangles(&rig.object, rig.triangle, 4096);
-    assert_int_equal(count, rig.object.sides - 2 * rig.object.polygons);
     double sum = 0, volume, area;
-    for (int i = 0; i < count; i++) {
-        struct vector3 v[3];
-        for (int k = 0; k < 3; k++)
-            v[k] = rig.object.vertex[rig.triangle[i].vertex[k]];
-        struct plane plane = plane_of_polygon(&rig.object, rig.triangle[i].polygon);
-        struct vector3 n =
-            vector3_cross(vector3_difference(v[1], v[0]), vector3_difference(v[2], v[0]));
-        assert_true(vector3_dot(n, plane_normal(&plane)) >= 0);
-        for (int k = 0; k < 3; k++)
-            assert_true(vector3_dot(rig.object.normal[rig.triangle[i].normal[k]],
-                                    plane_normal(&plane)) > 0);
-        sum += (double)vector3_length(n) / 2;
+    for (int p = 0; p < o->polygons; p++) {
+        struct plane plane = plane_of_polygon(o, p);
+        struct vector3 a = o->vertex[object_corner(o, p, 0)], outward = plane_normal(&plane);
+        for (int k = 0; k < o->polygon[p].count; k++)
+            assert_true(vector3_dot(o->normal[o->side_normal[o->polygon[p].first + k]], outward) >
+                        0);
+        for (int k = 1; k + 1 < o->polygon[p].count; k++) {
+            struct vector3 b = o->vertex[object_corner(o, p, k)];
+            struct vector3 c = o->vertex[object_corner(o, p, k + 1)];
+            struct vector3 n = vector3_cross(vector3_difference(b, a), vector3_difference(c, a));
+            assert_true(vector3_dot(n, outward) >= 0);
+            sum += (double)vector3_length(n) / 2;
+        }
     }
     measure(&volume, &area);
     assert_true(fabs(sum - area) < 1e-4 * area);
-    assert_int_equal(object_triangles(&rig.object, rig.triangle, 10), 10);
 }
 
 /* ---- planes ---------------------------------------------------------------------------------- */
@@ -544,16 +544,24 @@ static void a_box_contains_what_it_should(void **state)
     (void)state;
     object_clear(&rig.object);
     assert_true(object_box(&rig.object, 2, 4, 6, 0));
-    int in = 0;
+    int in = 0, first = -1;
     for (int i = 0; i < 20000; i++) {
         struct vector3 p = {(float)uniform(-2, 2), (float)uniform(-4, 4), (float)uniform(-6, 6)};
         bool inside = fabsf(p.x) <= 1 && fabsf(p.y) <= 2 && fabsf(p.z) <= 3;
-        assert_int_equal(solid_convex_contains(&rig.object, p), inside);
+        assert_int_equal(solid_planes_outside(&rig.object, p, &first) == 0, inside);
+        if (!inside) {
+            struct plane plane = plane_of_polygon(&rig.object, first);
+            assert_true(plane_value(&plane, p) > 0);
+        }
         in += inside;
     }
     assert_true(in > 2000);
-    object_clear(&rig.object);
-    assert_false(solid_convex_contains(&rig.object, (struct vector3){0, 0, 0}));
+    /* Beyond a corner it is outside of three planes; the first is the lowest. */
+    assert_int_equal(solid_planes_outside(&rig.object, (struct vector3){3, 3, 4}, &first), 3);
+    for (int i = 0; i < first; i++) {
+        struct plane plane = plane_of_polygon(&rig.object, i);
+        assert_true(plane_value(&plane, (struct vector3){3, 3, 4}) <= 0);
+    }
 }
 
 int main(void)
@@ -574,7 +582,7 @@ int main(void)
         cmocka_unit_test(normals_of_a_sphere_are_radial),
         cmocka_unit_test(round_normals_are_the_mean),
         cmocka_unit_test(a_box_keeps_its_edges),
-        cmocka_unit_test(triangles_are_the_polygons),
+        cmocka_unit_test(polygons_are_fans_of_triangles),
         cmocka_unit_test(planes_hold_their_points),
         cmocka_unit_test(the_unit_plane),
         cmocka_unit_test(a_box_contains_what_it_should),

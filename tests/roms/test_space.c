@@ -17,10 +17,11 @@
 #include "roms/geometry/projection_parallel.c"
 #include "roms/geometry/projection_perspective.c"
 #include "roms/geometry/rotate_axis.c"
+#include "roms/geometry/scalar.c"
 #include "roms/geometry/transform3.c"
 #include "roms/geometry/view3.c"
 
-#define PI 3.14159265358979323846
+#define EXACT_PI 3.14159265358979323846
 enum { CASES = 20000 };
 
 static struct {
@@ -103,15 +104,14 @@ static void sines_are_those_of_the_angle(void **state)
     (void)state;
     static const float quarter[4][2] = {{0, 1}, {1, 0}, {0, -1}, {-1, 0}};
     for (int i = -8; i <= 8; i++) {
-        float s, c;
-        transform3_sine_cosine((float)(90 * i), &s, &c);
-        assert_true(s == quarter[i & 3][0] && c == quarter[i & 3][1]);
+        struct sine_cosine of = scalar_sine_cosine((float)(90 * i));
+        assert_true(of.sine == quarter[i & 3][0] && of.cosine == quarter[i & 3][1]);
     }
     for (int i = 0; i < CASES; i++) {
-        float degrees = any(2000), s, c;
-        transform3_sine_cosine(degrees, &s, &c);
-        near_to((double)s, sin((double)degrees * PI / 180), 2e-7);
-        near_to((double)c, cos((double)degrees * PI / 180), 2e-7);
+        float degrees = any(2000);
+        struct sine_cosine of = scalar_sine_cosine(degrees);
+        near_to((double)of.sine, sin((double)degrees * EXACT_PI / 180), 2e-7);
+        near_to((double)of.cosine, cos((double)degrees * EXACT_PI / 180), 2e-7);
     }
 }
 
@@ -177,7 +177,7 @@ static struct real3 rodrigues(struct real3 p, struct real3 q, double degrees, st
     struct real3 k = mix(q, -1, p), zero = {0, 0, 0};
     k = mix(zero, 1 / sqrt(dot(k, k)), k);
     v = mix(v, -1, p);
-    double c = cos(degrees * PI / 180), s = sin(degrees * PI / 180);
+    double c = cos(degrees * EXACT_PI / 180), s = sin(degrees * EXACT_PI / 180);
     struct real3 out = mix(mix(mix(p, c, v), s, cross(k, v)), dot(k, v) * (1 - c), k);
     return out;
 }
@@ -370,8 +370,8 @@ static void axonometric_factors_are_those_of_drawn_axes(void **state)
     for (int i = 0; i < CASES; i++) {
         float turn = any(180), tilt = any(90);
         a = projection_axonometric(turn, tilt);
-        double st = sin((double)turn * PI / 180), ct = cos((double)turn * PI / 180);
-        double sl = sin((double)tilt * PI / 180), cl = cos((double)tilt * PI / 180);
+        double st = sin((double)turn * EXACT_PI / 180), ct = cos((double)turn * EXACT_PI / 180);
+        double sl = sin((double)tilt * EXACT_PI / 180), cl = cos((double)tilt * EXACT_PI / 180);
         near_to((double)a.factor[0], sqrt(ct * ct + st * st * sl * sl), 1e-5);
         near_to((double)a.factor[1], fabs(cl), 1e-5);
         near_to((double)a.factor[2], sqrt(st * st + ct * ct * sl * sl), 1e-5);
@@ -394,7 +394,7 @@ static void oblique_keeps_the_front_and_slants_the_depth(void **state)
         float degrees = any(360), factor = any(2);
         struct matrix4 m = projection_oblique(degrees, factor);
         struct vector3 p = any_vector(5), q = matrix4_apply(&m, p);
-        double l = (double)p.z * (double)factor, angle = (double)degrees * PI / 180;
+        double l = (double)p.z * (double)factor, angle = (double)degrees * EXACT_PI / 180;
         near_vector(
             q,
             (struct real3){(double)p.x + l * cos(angle), (double)p.y + l * sin(angle), (double)p.z},
@@ -499,8 +499,8 @@ static void principal_vanishing_points_are_counted(void **state)
     v = projection_vanishing_axes(&two);
     assert_int_equal(v.count, 2);
     assert_true(v.has[0] && v.has[2] && !v.has[1]);
-    near_to((double)v.at[0].x, 1 - 6 / tan(PI / 6), 1e-4); /* left of x to z */
-    near_to((double)v.at[2].x, 1 + 6 * tan(PI / 6), 1e-4);
+    near_to((double)v.at[0].x, 1 - 6 / tan(EXACT_PI / 6), 1e-4); /* left of x to z */
+    near_to((double)v.at[2].x, 1 + 6 * tan(EXACT_PI / 6), 1e-4);
     near_to((double)v.at[0].y, 2, 1e-4); /* both on the horizon */
     near_to((double)v.at[2].y, 2, 1e-4);
     struct matrix4 turned = matrix4_product(&about_x, &about_y);
@@ -712,7 +712,7 @@ static void check_polygon(const struct slow *s, int corners, int *inside_seen)
     struct vector4 in[VOLUME_CORNERS], out[VOLUME_ROOM];
     double whole[VOLUME_CORNERS][2], part[VOLUME_ROOM][2];
     for (int i = 0; i < corners; i++) {
-        double r = 1 + 5 * fabs((double)any(1)), angle = 2 * PI * i / corners;
+        double r = 1 + 5 * fabs((double)any(1)), angle = 2 * EXACT_PI * i / corners;
         struct real3 p = mix(mix(f.origin, r * cos(angle), f.u), r * sin(angle), f.v);
         struct vector3 q = {(float)p.x, (float)p.y, (float)p.z};
         in[i] = matrix4_homogeneous(&s->matrix, q);
