@@ -90,14 +90,6 @@ bool words_number(struct words *w, float *out)
     return true;
 }
 
-bool words_numbers(struct words *w, float *out, int count)
-{
-    for (int i = 0; i < count; i++)
-        if (!words_number(w, &out[i]))
-            return false;
-    return true;
-}
-
 bool words_bounded(struct words *w, float low, float high, float *out)
 {
     float value;
@@ -113,10 +105,15 @@ bool words_bounded(struct words *w, float low, float high, float *out)
     return true;
 }
 
-bool words_amounts(struct words *w, float low, float high, float *out, int count)
+bool words_amount(struct words *w, float *out)
+{
+    return words_bounded(w, -WORDS_FARTHEST, WORDS_FARTHEST, out);
+}
+
+bool words_amounts(struct words *w, float *out, int count)
 {
     for (int i = 0; i < count; i++)
-        if (!words_bounded(w, low, high, &out[i]))
+        if (!words_amount(w, &out[i]))
             return false;
     return true;
 }
@@ -151,8 +148,9 @@ bool words_vector(struct words *w, float limit, struct vector3 *out)
 bool words_direction(struct words *w, int dimensions, float limit, struct vector3 *out)
 {
     float v[3] = {0, 0, 0};
-    if (!words_amounts(w, -limit, limit, v, dimensions))
-        return false;
+    for (int i = 0; i < dimensions; i++)
+        if (!words_bounded(w, -limit, limit, &v[i]))
+            return false;
     float largest = fmaxf(fmaxf(fabsf(v[0]), fabsf(v[1])), fabsf(v[2]));
     if (largest == 0)
         return words_refuse(w, "a vector of length 0 has no direction");

@@ -44,10 +44,9 @@ bool words_next_is_number(const struct words *w);
 bool words_number(struct words *w, float *out);
 bool words_bounded(struct words *w, float low, float high, float *out);
 bool words_whole(struct words *w, int low, int high, int *out);
-/* `count` numbers within low…high, one after the other. */
-bool words_amounts(struct words *w, float low, float high, float *out, int count);
-/* `count` numbers one after the other. */
-bool words_numbers(struct words *w, float *out, int count);
+/* One within ±WORDS_FARTHEST; `count` of them one after the other. */
+bool words_amount(struct words *w, float *out);
+bool words_amounts(struct words *w, float *out, int count);
 /* x y, or x y z, within ±limit. */
 bool words_point(struct words *w, float limit, struct point2 *out);
 bool words_vector(struct words *w, float limit, struct vector3 *out);
