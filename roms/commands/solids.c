@@ -244,11 +244,11 @@ static bool attributes(struct monitor *m, struct words *w)
     (void)m;
     if (!words_end(w))
         return false;
-    printf("    name      colours     ka     kd     ks      n  transparent\n");
+    printf("    name      colours     ka     kd     ks        n  transparent\n");
     static const char *const ramps[] = {"grey", "copper", "green", "blue", "gold"};
     for (int i = 0; i < o->attributes; i++) {
         const struct object_attribute *a = &o->attribute[i];
-        printf("A%d: %-9s %-7s %6.4f %6.4f %6.4f %6.1f %12.4f\n", i + 1, a->name,
+        printf("A%d: %-9s %-7s %6.4f %6.4f %6.4f %8.4f %12.4f\n", i + 1, a->name,
                ramps[a->ramp % INK_RAMPS], (double)a->ambient, (double)a->diffuse,
                (double)a->specular, (double)a->shininess, (double)a->transparency);
     }
