@@ -280,6 +280,8 @@ static bool operation(struct words *w, struct matrix3 *op)
         *op = rotation(v[0]);
         return about(w, op);
     }
+    if (words_left(w) == 0)
+        return words_refuse(w, "a transformation is missing");
     return words_refuse(w, "\"%.40s\" is not identity, translate, scale or rotate", words_peek(w));
 }
 
