@@ -7,26 +7,6 @@
 
 #include "roms/monitor/command.h"
 
-bool areas_points(struct words *w, struct point2 *p, int least, int most, float limit, int *count)
-{
-    int left = words_left(w);
-    if (left % 2 != 0 && words_next_is_number(w))
-        return words_refuse(w, "a point takes two numbers, and there are %d", left);
-    if (left / 2 < least)
-        return words_refuse(w, "at least %d points are needed", least);
-    if (left / 2 > most)
-        return words_refuse(w, "at most %d points can be taken", most);
-    *count = left / 2;
-    for (int i = 0; i < *count; i++) {
-        if (!words_number(w, &p[i].x) || !words_number(w, &p[i].y))
-            return false;
-        if (p[i].x < -limit || p[i].x > limit || p[i].y < -limit || p[i].y > limit)
-            return words_refuse(w, "point %d is not within -%d and %d", i + 1, (int)limit,
-                                (int)limit);
-    }
-    return true;
-}
-
 struct areas_box areas_box(const struct point2 *p, int count)
 {
     float left = p[0].x, right = left, low = p[0].y, high = low;

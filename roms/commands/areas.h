@@ -21,9 +21,6 @@ struct areas_box {
     int x0, y0, x1, y1;
 };
 
-/* All the words that are left as points within ±limit: at least `least`, at most `most` of them. */
-bool areas_points(struct words *w, struct point2 *points, int least, int most, float limit,
-                  int *count);
 struct areas_box areas_box(const struct point2 *points, int count);
 /* Puts more behind a text, as far as there is room. */
 void areas_add(char *text, size_t room, const char *format, ...)

@@ -82,7 +82,8 @@ bool areas_fill(struct monitor *m, struct words *w)
     struct point2 down[MOST_CORNERS];
     int rule;
     if (!words_choice(w, rules, &rule) ||
-        !areas_points(w, f.corner, 3, MOST_CORNERS, LIMIT, &f.count) || !words_end(w))
+        !words_points2(w, (struct words_wanted){3, MOST_CORNERS, LIMIT}, f.corner, &f.count) ||
+        !words_end(w))
         return false;
     for (int i = 0; i < f.count; i++)
         down[i] = (struct point2){f.corner[i].x, -f.corner[i].y};

@@ -2,6 +2,7 @@
 #include <stdio.h>
 
 #include "roms/commands/areas.h"
+#include "roms/monitor/print.h"
 #include "roms/monitor/stepper.h"
 #include "roms/raster/line_antialiased.h"
 #include "roms/raster/line_dashed.h"
@@ -87,7 +88,8 @@ bool areas_dashed(struct monitor *m, struct words *w)
 {
     struct dashing d = {.segment = 0};
     if (!take_pattern(w, &d.pattern) ||
-        !areas_points(w, d.point, 2, MOST_POINTS, LIMIT, &d.count) || !words_end(w))
+        !words_points2(w, (struct words_wanted){2, MOST_POINTS, LIMIT}, d.point, &d.count) ||
+        !words_end(w))
         return false;
     for (int i = 0; i < d.count; i++)
         if (d.point[i].x != floorf(d.point[i].x) || d.point[i].y != floorf(d.point[i].y))
@@ -134,10 +136,10 @@ static bool next_piece(struct thickness *t, struct step *s)
         down[i] = (struct point2){p->corner[i].x, -p->corner[i].y};
     polygon_fill_begin(&t->fill, POLYGON_NON_ZERO, -t->box.y1, -t->box.y0);
     polygon_fill_contour(&t->fill, down, p->count);
-    snprintf(s->row, sizeof s->row, "%-8s %7d ", piece_names[p->kind], p->count);
+    snprintf(s->row, sizeof s->row, "%-7s %2d ", piece_names[p->kind], p->count);
     for (int i = 0; i < 4 && i < p->count; i++)
-        areas_add(s->row, sizeof s->row, " %.2f,%.2f", (double)p->corner[i].x,
-                  (double)p->corner[i].y);
+        areas_add(s->row, sizeof s->row, " %.4f,%.4f", print_tidy(p->corner[i].x),
+                  print_tidy(p->corner[i].y));
     if (p->count > 4)
         areas_add(s->row, sizeof s->row, " ...");
     snprintf(s->decision, sizeof s->decision, "Piece %d: a %s of %d corners", ++t->pieces,
@@ -185,14 +187,13 @@ bool areas_thick(struct monitor *m, struct words *w)
     struct thickness t = {.count = 0};
     struct line_style style;
     int cap, join;
-    if (!words_number(w, &style.width))
+    if (!words_bounded(w, 0.5f, 50, &style.width))
         return false;
-    if (!(style.width >= 0.5f) || style.width > 50)
-        return words_refuse(w, "a width is within 0.5 and 50");
     if (!words_choice(w, caps, &cap) || !words_choice(w, joins, &join))
         return false;
     t.closed = words_take(w, "closed");
-    if (!areas_points(w, t.point, 1, MOST_POINTS, LIMIT, &t.count) || !words_end(w))
+    if (!words_points2(w, (struct words_wanted){1, MOST_POINTS, LIMIT}, t.point, &t.count) ||
+        !words_end(w))
         return false;
     style.cap = (enum line_cap)cap;
     style.join = (enum line_join)join;
@@ -201,7 +202,7 @@ bool areas_thick(struct monitor *m, struct words *w)
     t.box = (struct areas_box){t.box.x0 - more, t.box.y0 - more, t.box.x1 + more, t.box.y1 + more};
     line_thick_begin(&t.line, t.point, t.count, t.closed, &style);
     const struct stepper stepper = {.title = "Wide line",
-                                    .header = "piece    corners",
+                                    .header = "piece    n  corners",
                                     .x0 = t.box.x0,
                                     .y0 = t.box.y0,
                                     .x1 = t.box.x1,
@@ -259,7 +260,7 @@ bool areas_antialias(struct monitor *m, struct words *w)
     struct smoothing a = {.at = ANTIALIASED_PIXELS};
     struct point2 p[2];
     int count;
-    if (!areas_points(w, p, 2, 2, LIMIT, &count) || !words_end(w))
+    if (!words_points2(w, (struct words_wanted){2, 2, LIMIT}, p, &count) || !words_end(w))
         return false;
     a.from = p[0];
     a.to = p[1];

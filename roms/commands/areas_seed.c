@@ -112,7 +112,7 @@ static bool take(struct words *w, int *connected, int *x, int *y, struct point2 
     *connected = *connected == 0 ? 4 : 8;
     if (!words_take(w, "in"))
         return words_refuse(w, "\"in\" is missing behind the seed");
-    if (!areas_points(w, p, 3, MOST_CORNERS, LIMIT, count) || !words_end(w))
+    if (!words_points2(w, (struct words_wanted){3, MOST_CORNERS, LIMIT}, p, count) || !words_end(w))
         return false;
     for (int i = 0; i < *count; i++)
         if (p[i].x != floorf(p[i].x) || p[i].y != floorf(p[i].y))

@@ -42,19 +42,6 @@ static bool next_row(void *state, struct step *s)
     return true;
 }
 
-/* The words that are left, with a blank between them. */
-static bool take_words(struct words *w, char *text, size_t room)
-{
-    if (words_left(w) == 0)
-        return words_refuse(w, "words are missing");
-    text[0] = '\0';
-    while (words_left(w) > 0) {
-        areas_add(text, room, "%s%s", text[0] != '\0' ? " " : "", words_peek(w));
-        words_take(w, words_peek(w));
-    }
-    return true;
-}
-
 bool areas_text(struct monitor *m, struct words *w)
 {
     static const char *const directions[] = {"right", "up", "left", "down", NULL};
@@ -64,7 +51,7 @@ bool areas_text(struct monitor *m, struct words *w)
     int direction;
     if (!words_whole(w, FONT_WIDTH / 2, MOST_HIGH, &cell.width) ||
         !words_whole(w, FONT_HEIGHT / 2, MOST_HIGH, &cell.height) ||
-        !words_choice(w, directions, &direction) || !take_words(w, text, sizeof text))
+        !words_choice(w, directions, &direction) || !words_rest(w, text, sizeof text))
         return false;
     int length = (int)strlen(text) * cell.width, high = cell.height;
     if (length > LONGEST)
@@ -93,76 +80,68 @@ bool areas_text(struct monitor *m, struct words *w)
 
 /* ---- dither ---------------------------------------------------------------------------------- */
 
-enum { METHODS = 4, PATCH = 64, TENTHS = 11 };
-
-static const char *const method_names[METHODS] = {"none", "ordered 4", "ordered 8", "diffusion"};
-
-/* The level of the next pixel by a method; rows from the top, each from the left. */
-static int level_of(int method, struct dither_diffusion *d, int levels, int x, int y, float v)
-{
-    static const enum dither_order orders[] = {DITHER_NONE, DITHER_ORDERED_4, DITHER_ORDERED_8};
-    return method == 3 ? dither_diffusion_next(d, v)
-                       : dither_ordered(orders[method], levels, x, y, v);
-}
+enum { PATCH = 64, TENTHS = 11 };
 
 /* The mean of a patch of one intensity. */
-static float mean(int method, int levels, float v)
+static float mean(enum dither_method method, int levels, float v)
 {
     float error[PATCH + 2];
-    struct dither_diffusion d;
+    struct dither d;
     int sum = 0;
-    dither_diffusion_begin(&d, error, PATCH, levels);
+    dither_begin(&d, method, levels, error, PATCH);
     for (int y = 0; y < PATCH; y++)
         for (int x = 0; x < PATCH; x++)
-            sum += level_of(method, &d, levels, x, y, v);
+            sum += dither_next(&d, x, y, v);
     return (float)sum / (PATCH * PATCH) / (float)(levels - 1);
 }
 
 static void print_means(int levels)
 {
     printf("intensity");
-    for (int k = 0; k < METHODS; k++)
-        printf(" %9s", method_names[k]);
+    for (int k = 0; k < DITHER_METHODS; k++)
+        printf(" %9s", dither_names[k]);
     printf("\n");
     for (int i = 0; i < TENTHS; i++) {
         float v = (float)i / (TENTHS - 1);
         printf("%9.4f", (double)v);
-        for (int k = 0; k < METHODS; k++)
-            printf(" %9.4f", (double)mean(k, levels, v));
+        for (int k = 0; k < DITHER_METHODS; k++)
+            printf(" %9.4f", (double)mean((enum dither_method)k, levels, v));
         printf("\n");
     }
 }
 
 /* A ramp on the raster head, pixel by pixel, below this place of the picture. */
-static void raster_ramp(struct stage *s, int method, int levels, float top, float high)
+static void raster_ramp(struct stage *s, enum dither_method method, int levels, float top,
+                        float high)
 {
     enum { WIDEST = 1280 };
     float error[WIDEST + 2];
-    struct dither_diffusion d;
+    struct dither d;
     int left = (int)stage_canvas_x(s, 0), width = (int)stage_canvas_x(s, STAGE_WIDTH) - left;
     int y0 = (int)stage_canvas_y(s, top), y1 = (int)stage_canvas_y(s, top - high);
     if (width < 2 || width > WIDEST || s->canvas.width == 0)
         return;
-    dither_diffusion_begin(&d, error, width, levels);
+    dither_begin(&d, method, levels, error, width);
     for (int y = y0; y < y1; y++)
         for (int x = 0; x < width; x++) {
-            int level = level_of(method, &d, levels, x, y - y0, (float)x / (float)(width - 1));
+            int level = dither_next(&d, x, y - y0, (float)x / (float)(width - 1));
             canvas_dot(&s->canvas, left + x, y,
                        ink_shade(RAMP_GREY, (float)level / (float)(levels - 1)));
         }
 }
 
 /* The same in dots, which the vector head can make bright or not. */
-static void vector_ramp(struct stage *s, int method, int levels, float top, float high)
+static void vector_ramp(struct stage *s, enum dither_method method, int levels, float top,
+                        float high)
 {
     enum { ACROSS = 56, UP = 6 };
     float error[ACROSS + 2];
-    struct dither_diffusion d;
-    dither_diffusion_begin(&d, error, ACROSS, levels);
+    struct dither d;
+    dither_begin(&d, method, levels, error, ACROSS);
     stage_heads(s, STAGE_VECTOR);
     for (int y = 0; y < UP; y++)
         for (int x = 0; x < ACROSS; x++) {
-            int level = level_of(method, &d, levels, x, y, (float)x / (ACROSS - 1));
+            int level = dither_next(&d, x, y, (float)x / (ACROSS - 1));
             if (level == 0)
                 continue;
             stage_ink(s, (enum ink)ink_shade(RAMP_GREY, (float)level / (float)(levels - 1)));
@@ -182,12 +161,12 @@ bool areas_dither(struct monitor *m, struct words *w)
         return false;
     snprintf(title, sizeof title, "Dithering: a ramp from %d levels", levels);
     stage_begin(s);
-    for (int k = 0; k < METHODS; k++) {
+    for (int k = 0; k < DITHER_METHODS; k++) {
         float top = TOP - (float)k * APART;
         stage_ink(s, INK_TEXT);
-        stage_text(s, 0, top + 14, method_names[k]);
-        raster_ramp(s, k, levels, top, HIGH);
-        vector_ramp(s, k, levels, top, HIGH);
+        stage_text(s, 0, top + 14, dither_names[k]);
+        raster_ramp(s, (enum dither_method)k, levels, top, HIGH);
+        vector_ramp(s, (enum dither_method)k, levels, top, HIGH);
     }
     stage_title(s, title);
     stage_caption(s,

@@ -230,7 +230,7 @@ static bool run(struct monitor *m, struct round *r, struct stepper stepper)
     stepper.state = r;
     r->told = m->table || m->steps;
     scan_run(m, &stepper);
-    printf("%d pixel%s about (%d,%d).\n", r->pixels, r->pixels == 1 ? "" : "s", r->xc, r->yc);
+    printf("%d pixel%s about (%d,%d)\n", r->pixels, r->pixels == 1 ? "" : "s", r->xc, r->yc);
     return true;
 }
 

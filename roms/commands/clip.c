@@ -17,9 +17,10 @@ static bool clip(struct monitor *m, struct words *w)
 
 const struct command commands_clip[] = {
     {"clip",
-     "point|cohen-sutherland|liang-barsky|polygon|text xmin ymin xmax ymax ...: point x y ..., "
-     "line "
-     "x0 y0 x1 y1, polygon x y x y x y ..., text x y height TEXT",
+     "point xmin ymin xmax ymax x y ...\n"
+     "  or cohen-sutherland|liang-barsky xmin ymin xmax ymax x0 y0 x1 y1\n"
+     "  or polygon xmin ymin xmax ymax x y x y x y ...\n"
+     "  or text xmin ymin xmax ymax x y HEIGHT WORDS ...",
      "clips to a window: points, lines, a polygon (Sutherland-Hodgman), text", clip},
     {NULL, NULL, NULL, NULL},
 };

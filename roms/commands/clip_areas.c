@@ -35,7 +35,9 @@ bool clip_point_command(struct monitor *m, struct words *w)
     struct clip_window window;
     struct point2 p[FLAT_POINTS];
     int count;
-    if (!flat_window(w, &window) || !flat_points(w, p, 1, &count))
+    if (!flat_window(w, &window) ||
+        !words_points2(w, (struct words_wanted){1, FLAT_POINTS, WORDS_FARTHEST}, p, &count) ||
+        !words_end(w))
         return false;
     for (int i = 0; i < count; i++) {
         char code[5];
@@ -105,7 +107,9 @@ bool clip_polygon_command(struct monitor *m, struct words *w)
     struct point2 p[FLAT_POINTS];
     char caption[64];
     int count;
-    if (!flat_window(w, &window) || !flat_points(w, p, 3, &count))
+    if (!flat_window(w, &window) ||
+        !words_points2(w, (struct words_wanted){3, FLAT_POINTS, WORDS_FARTHEST}, p, &count) ||
+        !words_end(w))
         return false;
     bool stepping = m->steps;
     for (sutherland_hodgman_begin(&s, &window, p, count); sutherland_hodgman_next(&s);) {
@@ -173,34 +177,14 @@ static void text_row(const struct clip_text *t, const struct clip_window *window
     printf("\" %.4f dots\n", lit / (double)(t->dot * t->dot));
 }
 
-static bool take_text(struct words *w, char *text)
-{
-    text[0] = '\0';
-    if (words_left(w) == 0)
-        return words_refuse(w, "a text is missing");
-    while (words_left(w) > 0) {
-        const char *word = words_peek(w);
-        if (strlen(text) + strlen(word) + 1 > TEXT_MOST)
-            return words_refuse(w, "the text has more than %d characters", TEXT_MOST);
-        if (text[0] != '\0')
-            strcat(text, " ");
-        strcat(text, word);
-        words_take(w, word);
-    }
-    return true;
-}
-
 bool clip_text_command(struct monitor *m, struct words *w)
 {
     struct clip_window window;
     char text[TEXT_MOST + 1];
     struct clip_text t = {text, &font, {0, 0}, 0};
     float height;
-    if (!flat_window(w, &window) || !flat_point(w, &t.at) || !flat_numbers(w, &height, 1))
-        return false;
-    if (!(height >= 0.001f))
-        return words_refuse(w, "characters are at least 0.001 high");
-    if (!take_text(w, text))
+    if (!flat_window(w, &window) || !words_point(w, WORDS_FARTHEST, &t.at) ||
+        !words_bounded(w, 0.001f, WORDS_FARTHEST, &height) || !words_rest(w, text, sizeof text))
         return false;
     t.dot = height / FONT_HEIGHT;
     stage_begin(&m->stage);

@@ -17,8 +17,8 @@ struct job {
 
 static bool take(struct words *w, struct job *j)
 {
-    return flat_window(w, &j->window) && flat_point(w, &j->a) && flat_point(w, &j->b) &&
-           words_end(w);
+    return flat_window(w, &j->window) && words_point(w, WORDS_FARTHEST, &j->a) &&
+           words_point(w, WORDS_FARTHEST, &j->b) && words_end(w);
 }
 
 static void answer(bool accepted, struct point2 a, struct point2 b)

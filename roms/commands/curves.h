@@ -3,9 +3,9 @@
  *      words ──▶ curves_take_... ──▶ points, splines ──▶ curves_print_...
  *                                                 └──▶ curves_frame, curves_draw_... ──▶ stage
  *
- * Models:     points as a list of numbers that ends where a word is; splines by their names;
+ * Models:     splines by their names;
  *             figures as the course writes them: as many decimals as they need, at most five.
- * Units:      world: the user's; coordinates within ±CURVES_LARGEST.
+ * Units:      world: the user's; coordinates within ±WORDS_FARTHEST.
  * Ownership:  plain values.
  * Errors:     curves_take_... return false after words_refuse.
  */
@@ -18,18 +18,12 @@
 #include "roms/stage/graph.h"
 
 enum { CURVES_POINTS = SPLINE_POINTS_MOST, CURVES_PLACES = 24, CURVES_FIGURE = 56 };
-#define CURVES_LARGEST 1000000
 
 struct curve_points {
     struct vector3 at[CURVES_POINTS];
     int count;
 };
 
-/* Numbers up to the next word, as points of 2 or 3 coordinates; `least` to `most` of them. */
-bool curves_take_points(struct words *w, int dimensions, int least, int most,
-                        struct curve_points *out);
-/* A number within ±CURVES_LARGEST. */
-bool curves_take_coordinate(struct words *w, float *out);
 /* [at u1 u2 ...] to the end of the line, within low...high; without it five places from low to
  * high. */
 bool curves_take_places(struct words *w, float low, float high, float *place, int *count);

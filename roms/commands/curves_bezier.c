@@ -142,7 +142,8 @@ static bool bezier(struct monitor *m, struct words *w, int dimensions)
     float u[CURVES_PLACES];
     int count;
     char text[CURVES_FIGURE];
-    if (!curves_take_points(w, dimensions, 2, BEZIER_POINTS_MOST, &p) ||
+    if (!words_points(w, dimensions, (struct words_wanted){2, BEZIER_POINTS_MOST, WORDS_FARTHEST},
+                      p.at, &p.count) ||
         !curves_take_places(w, 0, 1, u, &count))
         return false;
     if (p.count <= 4)
@@ -185,7 +186,9 @@ static bool ends(struct monitor *m, struct words *w, int dimensions)
 {
     struct curve_points p;
     struct curves_bounds bounds = {0};
-    if (!curves_take_points(w, dimensions, 2, BEZIER_POINTS_MOST, &p) || !words_end(w))
+    if (!words_points(w, dimensions, (struct words_wanted){2, BEZIER_POINTS_MOST, WORDS_FARTHEST},
+                      p.at, &p.count) ||
+        !words_end(w))
         return false;
     struct bezier_ends e = bezier_ends(p.at, p.count);
     print_end("p'(0)", e.first0, dimensions);

@@ -53,7 +53,8 @@ static bool take_curves(struct words *w, struct named_spline *p, struct named_sp
 {
     *two = words_next_is_number(w);
     if (*two) {
-        if (!curves_take_points(w, 2, 8, 8, &p->points))
+        if (!words_points(w, 2, (struct words_wanted){8, 8, WORDS_FARTHEST}, p->points.at,
+                          &p->points.count))
             return false;
         for (int k = 0; k < 4; k++)
             q->points.at[k] = p->points.at[4 + k];

@@ -11,8 +11,8 @@ static bool take_knots(struct words *w, struct b_spline *s, int *knots)
     *knots = 0;
     while (words_next_is_number(w)) {
         if (*knots == B_SPLINE_KNOTS_MOST)
-            return words_refuse(w, "at most %d knots can be taken", B_SPLINE_KNOTS_MOST);
-        if (!curves_take_coordinate(w, &s->knot[(*knots)++]))
+            return words_refuse(w, "at most %d knots", B_SPLINE_KNOTS_MOST);
+        if (!words_amount(w, &s->knot[(*knots)++]))
             return false;
     }
     return words_next_is(w, "points") || words_refuse(w, "the word \"points\" is missing");
@@ -29,7 +29,9 @@ static bool take(struct words *w, struct b_spline *s)
     if (how == KNOTS && !take_knots(w, s, &knots))
         return false;
     words_take(w, "points");
-    if (!curves_take_points(w, 2, s->degree + 1, B_SPLINE_POINTS_MOST, &p))
+    if (!words_points(w, 2,
+                      (struct words_wanted){s->degree + 1, B_SPLINE_POINTS_MOST, WORDS_FARTHEST},
+                      p.at, &p.count))
         return false;
     s->count = p.count;
     for (int i = 0; i < p.count; i++)

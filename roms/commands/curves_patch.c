@@ -24,7 +24,7 @@ static bool take_heights(struct words *w, float height[16])
         return false;
     for (int i = 0; i < 16; i++) {
         height[i] = named_heights[which][i];
-        if (typed && !curves_take_coordinate(w, &height[i]))
+        if (typed && !words_amount(w, &height[i]))
             return false;
     }
     return true;

@@ -5,40 +5,7 @@
 #include <stdio.h>
 #include <string.h>
 
-bool curves_take_coordinate(struct words *w, float *out)
-{
-    float value;
-    if (!words_number(w, &value))
-        return false;
-    if (fabsf(value) > CURVES_LARGEST)
-        return words_refuse(w, "numbers lie within -%d and %d", CURVES_LARGEST, CURVES_LARGEST);
-    *out = value;
-    return true;
-}
-
-static bool take_vector(struct words *w, int dimensions, struct vector3 *out)
-{
-    *out = (struct vector3){0, 0, 0};
-    return curves_take_coordinate(w, &out->x) && curves_take_coordinate(w, &out->y) &&
-           (dimensions < 3 || curves_take_coordinate(w, &out->z));
-}
-
-bool curves_take_points(struct words *w, int dimensions, int least, int most,
-                        struct curve_points *out)
-{
-    out->count = 0;
-    while (words_next_is_number(w) || out->count < least) {
-        if (words_left(w) == 0)
-            return words_refuse(w, "there are %d points, and at least %d are needed", out->count,
-                                least);
-        if (out->count == most)
-            return words_refuse(w, "at most %d points can be taken", most);
-        if (!take_vector(w, dimensions, &out->at[out->count]))
-            return false;
-        out->count++;
-    }
-    return true;
-}
+#include "roms/monitor/print.h"
 
 bool curves_take_places(struct words *w, float low, float high, float *place, int *count)
 {
@@ -49,17 +16,26 @@ bool curves_take_places(struct words *w, float low, float high, float *place, in
     else if (!words_take(w, "at"))
         return words_refuse(w, "\"%.40s\" is not known here", words_peek(w));
     while (words_left(w) > 0) {
-        float value;
         if (*count == CURVES_PLACES)
-            return words_refuse(w, "at most %d places can be taken", CURVES_PLACES);
-        if (!words_number(w, &value))
+            return words_refuse(w, "at most %d places", CURVES_PLACES);
+        if (!words_bounded(w, low, high, &place[*count]))
             return false;
-        if (value < low || value > high)
-            return words_refuse(w, "%g is not within %g and %g", (double)value, (double)low,
-                                (double)high);
-        place[(*count)++] = value;
+        ++*count;
     }
     return *count > 0 || words_refuse(w, "a place is missing");
+}
+
+/* Of the plane, for a spline. */
+static bool take_points(struct words *w, int least, struct curve_points *out)
+{
+    return words_points(w, 2, (struct words_wanted){least, SPLINE_POINTS_MOST, WORDS_FARTHEST},
+                        out->at, &out->count);
+}
+
+static bool take_slope(struct words *w, struct vector3 *out)
+{
+    out->z = 0;
+    return words_amount(w, &out->x) && words_amount(w, &out->y);
 }
 
 /* ---- splines --------------------------------------------------------------------------------- */
@@ -75,12 +51,12 @@ static bool take_natural(struct words *w, bool clamped, struct named_spline *out
     else
         words_take(w, "uniform");
     struct curve_points *p = &out->points;
-    if (!curves_take_points(w, 2, 2, SPLINE_POINTS_MOST, p))
+    if (!take_points(w, 2, p))
         return false;
     if (clamped) {
         if (!words_take(w, "slopes"))
             return words_refuse(w, "the slopes at the ends are missing");
-        if (!take_vector(w, 2, &slope0) || !take_vector(w, 2, &slope1))
+        if (!take_slope(w, &slope0) || !take_slope(w, &slope1))
             return false;
     }
     out->through = true;
@@ -98,8 +74,8 @@ static bool take_hermite(struct words *w, struct named_spline *out)
     out->through = true;
     while (words_next_is_number(w) || p->count < 2) {
         if (p->count == SPLINE_POINTS_MOST)
-            return words_refuse(w, "at most %d points can be taken", SPLINE_POINTS_MOST);
-        if (!take_vector(w, 2, &p->at[p->count]) || !take_vector(w, 2, &slope[p->count]))
+            return words_refuse(w, "at most %d points", SPLINE_POINTS_MOST);
+        if (!take_slope(w, &p->at[p->count]) || !take_slope(w, &slope[p->count]))
             return false;
         p->count++;
     }
@@ -109,21 +85,19 @@ static bool take_hermite(struct words *w, struct named_spline *out)
 static bool take_cardinal(struct words *w, float tension, struct named_spline *out)
 {
     struct curve_points *p = &out->points;
-    return curves_take_points(w, 2, 4, SPLINE_POINTS_MOST, p) &&
-           spline_cardinal(p->at, p->count, tension, &out->spline);
+    return take_points(w, 4, p) && spline_cardinal(p->at, p->count, tension, &out->spline);
 }
 
 static bool take_b_spline(struct words *w, struct named_spline *out)
 {
     struct curve_points *p = &out->points;
-    return curves_take_points(w, 2, 4, SPLINE_POINTS_MOST, p) &&
-           spline_b_spline(p->at, p->count, &out->spline);
+    return take_points(w, 4, p) && spline_b_spline(p->at, p->count, &out->spline);
 }
 
 static bool take_bezier(struct words *w, struct named_spline *out)
 {
     struct curve_points *p = &out->points;
-    if (!curves_take_points(w, 2, 4, SPLINE_POINTS_MOST, p))
+    if (!take_points(w, 4, p))
         return false;
     return spline_bezier(p->at, p->count, &out->spline) ||
            words_refuse(w, "cubic Bezier pieces take 4, 7, 10 ... points");
@@ -147,10 +121,8 @@ bool curves_take_spline(struct words *w, struct named_spline *out)
     case HERMITE:
         return take_hermite(w, out);
     case CARDINAL:
-        if (!words_number(w, &tension))
+        if (!words_bounded(w, -10, 10, &tension))
             return false;
-        if (fabsf(tension) > 10)
-            return words_refuse(w, "a tension is meant to be within -1 and 1, at most 10");
         return take_cardinal(w, tension, out);
     case CATMULL_ROM:
         return take_cardinal(w, 0, out);
@@ -165,8 +137,7 @@ bool curves_take_spline(struct words *w, struct named_spline *out)
 
 const char *curves_figure(char text[CURVES_FIGURE], float value)
 {
-    snprintf(text, CURVES_FIGURE, "%.5f",
-             value > -0.000005f && value < 0.000005f ? 0 : (double)value);
+    snprintf(text, CURVES_FIGURE, "%.5f", print_tidy_to(value, 5));
     char *end = text + strlen(text);
     while (end[-1] == '0')
         end--;

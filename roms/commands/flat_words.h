@@ -1,7 +1,7 @@
 /* flat_words.h — what the commands of the plane take and print alike.
  *
- * Models:     coordinates, windows and lists of points as words; figures as the course writes them.
- * Domain:     coordinates within ±FLAT_MOST, so that single precision keeps five figures and
+ * Models:     windows as words; figures as the course writes them.
+ * Domain:     coordinates within ±WORDS_FARTHEST, so that single precision keeps five figures and
  *             nothing overflows.
  * Ownership:  plain values.
  * Errors:     as words.h: false, and a sentence is left.
@@ -12,20 +12,12 @@
 #include "roms/clip/window.h"
 #include "roms/monitor/words.h"
 
-enum {
-    FLAT_MOST = 1000000,
-    FLAT_POINTS = 97 /* that a command of WORDS_MOST words has room for */
-};
+enum { FLAT_POINTS = 97 /* that a command of WORDS_MOST words has room for */ };
 
 #define FLAT_LEAST 0.001f /* a window, across and up */
 
-bool flat_numbers(struct words *w, float *out, int count);
-bool flat_point(struct words *w, struct point2 *out);
 /* xmin ymin xmax ymax with an area. */
 bool flat_window(struct words *w, struct clip_window *out);
-/* All that is left, at least `fewest` points. */
-bool flat_points(struct words *w, struct point2 *out, int fewest, int *count);
-
 /* A whole number as one, others with four decimals; `width` characters. */
 void flat_print(int width, float value);
 /* "(1.0000,2.0000)" one after the other on a line. */

@@ -24,11 +24,4 @@ bool light_fast_phong(struct monitor *m, struct words *w);
 bool light_mach(struct monitor *m, struct words *w);
 bool light_halftone(struct monitor *m, struct words *w);
 
-/* Takes three numbers, each within ±10000. */
-bool light_take_vector(struct words *w, struct vector3 *out);
-/* … of which one is not 0. */
-bool light_take_direction(struct words *w, struct vector3 *out);
-/* A number within low…high. */
-bool light_take(struct words *w, const char *what, float low, float high, float *out);
-
 #endif

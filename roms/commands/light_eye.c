@@ -40,10 +40,9 @@ bool light_mach(struct monitor *m, struct words *w)
 bool light_halftone(struct monitor *m, struct words *w)
 {
     int levels, method;
-    if (!words_whole(w, 2, 48, &levels) || !words_choice(w, eye_halftone_names, &method) ||
-        !words_end(w))
+    if (!words_whole(w, 2, 48, &levels) || !words_choice(w, dither_names, &method) || !words_end(w))
         return false;
-    struct eye_means means = eye_halftone_means(levels, (enum eye_halftone)method);
+    struct eye_means means = eye_halftone_means(levels, (enum dither_method)method);
     if (m->table) {
         printf("row      wanted     shown\n");
         for (int i = 0; i < EYE_BANDS; i++)
@@ -53,8 +52,8 @@ bool light_halftone(struct monitor *m, struct words *w)
     printf("mean intensity wanted %.4f, shown %.4f\n", print_tidy(means.all_wanted),
            print_tidy(means.all_shown));
     stage_begin(&m->stage);
-    stage_title(&m->stage, eye_halftone_names[method]);
-    eye_halftone_draw(&m->stage, 600, 400, 370, levels, (enum eye_halftone)method);
+    stage_title(&m->stage, dither_names[method]);
+    eye_halftone_draw(&m->stage, 600, 400, 370, levels, (enum dither_method)method);
     stage_end(&m->stage);
     return true;
 }

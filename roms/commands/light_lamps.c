@@ -43,17 +43,25 @@ static void list(const struct lighting *g)
         printf("no lights\n");
 }
 
+/* A vector as long as a light is wide. */
+static bool take_side(struct words *w, struct vector3 *side)
+{
+    if (!words_vector(w, WORDS_FARTHEST, side))
+        return false;
+    return vector3_length(*side) > 1e-6f || words_refuse(w, "a side has no length");
+}
+
 static bool take_place(struct words *w, struct light *l)
 {
     if (l->kind == LIGHT_FAR)
-        return light_take_direction(w, &l->at);
-    if (!light_take_vector(w, &l->at))
+        return words_direction(w, 3, WORDS_FARTHEST, &l->at);
+    if (!words_vector(w, WORDS_FARTHEST, &l->at))
         return false;
     if (l->kind == LIGHT_NEAR)
         return true;
-    if (!light_take_direction(w, &l->side))
+    if (!take_side(w, &l->side))
         return false;
-    if (l->kind == LIGHT_RECTANGLE && !light_take_direction(w, &l->other))
+    if (l->kind == LIGHT_RECTANGLE && !take_side(w, &l->other))
         return false;
     return words_whole(w, 1, LIGHT_SAMPLES, &l->samples);
 }
@@ -65,7 +73,7 @@ static bool add(struct words *w, struct lighting *g)
     if (!words_choice(w, kind_names, &kind))
         return false;
     l.kind = (enum light_kind)kind;
-    if (!take_place(w, &l) || !light_take(w, "an intensity", 0, 10, &l.intensity) || !words_end(w))
+    if (!take_place(w, &l) || !words_bounded(w, 0, 10, &l.intensity) || !words_end(w))
         return false;
     if (!lighting_add(g, l))
         return words_refuse(w, "there are %d lights already: light clear", LIGHTS_MOST);
@@ -77,7 +85,7 @@ static bool attenuation(struct words *w, struct lighting *g)
 {
     float a[3];
     for (int i = 0; i < 3; i++)
-        if (!light_take(w, "a coefficient", 0, 100, &a[i]))
+        if (!words_bounded(w, 0, 100, &a[i]))
             return false;
     if (!words_end(w))
         return false;
@@ -93,7 +101,7 @@ static bool attenuation(struct words *w, struct lighting *g)
 static bool ambient(struct words *w, struct lighting *g)
 {
     float value;
-    if (!light_take(w, "an intensity", 0, 10, &value) || !words_end(w))
+    if (!words_bounded(w, 0, 10, &value) || !words_end(w))
         return false;
     g->ambient = value;
     list(g);
@@ -143,10 +151,10 @@ bool light_material(struct monitor *m, struct words *w)
         print_material(&studio()->material);
         return true;
     }
-    if (!light_take(w, "ka", 0, 1, &got.ka) || !light_take(w, "kd", 0, 1, &got.kd) ||
-        !light_take(w, "ks", 0, 1, &got.ks) || !light_take(w, "n", POWER_LEAST, POWER_MOST, &got.n))
+    if (!words_bounded(w, 0, 1, &got.ka) || !words_bounded(w, 0, 1, &got.kd) ||
+        !words_bounded(w, 0, 1, &got.ks) || !words_bounded(w, POWER_LEAST, POWER_MOST, &got.n))
         return false;
-    if (words_take(w, "fresnel") && !light_take(w, "an index", 1, 10, &got.index))
+    if (words_take(w, "fresnel") && !words_bounded(w, 1, 10, &got.index))
         return false;
     got.halfway = words_take(w, "halfway");
     if (!words_end(w))
@@ -169,8 +177,8 @@ bool light_fresnel(struct monitor *m, struct words *w)
 {
     float index, angle = -1;
     (void)m;
-    if (!light_take(w, "an index", 1, 10, &index) ||
-        (words_left(w) > 0 && !light_take(w, "an angle", 0, 90, &angle)) || !words_end(w))
+    if (!words_bounded(w, 1, 10, &index) ||
+        (words_left(w) > 0 && !words_bounded(w, 0, 90, &angle)) || !words_end(w))
         return false;
     printf("   angle        w  Schlick\n");
     if (angle >= 0)

@@ -14,15 +14,15 @@ static bool take_point(struct words *w, struct point *p)
 {
     if (!words_take(w, "at"))
         return words_refuse(w, "\"at\" is missing");
-    if (!light_take_vector(w, &p->place))
+    if (!words_vector(w, WORDS_FARTHEST, &p->place))
         return false;
     if (!words_take(w, "normal"))
         return words_refuse(w, "\"normal\" is missing");
-    if (!light_take_direction(w, &p->normal))
+    if (!words_direction(w, 3, WORDS_FARTHEST, &p->normal))
         return false;
     if (!words_take(w, "eye"))
         return words_refuse(w, "\"eye\" is missing");
-    if (!light_take_vector(w, &p->eye) || !words_end(w))
+    if (!words_vector(w, WORDS_FARTHEST, &p->eye) || !words_end(w))
         return false;
     return vector3_length(vector3_difference(p->eye, p->place)) > 1e-6f ||
            words_refuse(w, "the eye is at the point");

@@ -6,6 +6,8 @@
 #include "roms/light/fast_phong.h"
 #include "roms/monitor/print.h"
 
+enum { FARTHEST = 10000 /* pixels */ };
+
 struct corner {
     struct point2 at;
     struct vector3 normal;
@@ -13,9 +15,7 @@ struct corner {
 
 static bool take_corner(struct words *w, struct corner *c)
 {
-    if (!light_take(w, "a coordinate", -10000, 10000, &c->at.x) ||
-        !light_take(w, "a coordinate", -10000, 10000, &c->at.y) ||
-        !light_take_direction(w, &c->normal))
+    if (!words_point(w, FARTHEST, &c->at) || !words_direction(w, 3, WORDS_FARTHEST, &c->normal))
         return false;
     c->normal = vector3_direction(c->normal);
     return true;
@@ -95,7 +95,7 @@ bool light_fast_phong(struct monitor *m, struct words *w)
             return false;
     if (!words_take(w, "light"))
         return words_refuse(w, "\"light\" is missing");
-    if (!light_take_direction(w, &light) || !words_end(w))
+    if (!words_direction(w, 3, WORDS_FARTHEST, &light) || !words_end(w))
         return false;
     if (fabsf(area_of(c)) < 1e-4f)
         return words_refuse(w, "the corners lie on a line");

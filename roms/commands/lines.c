@@ -145,7 +145,7 @@ static void tell(const struct line *line)
     struct line_case c = line_case_of(line->x0, line->y0, line->x1, line->y1);
     int dx = line->x1 - line->x0, dy = line->y1 - line->y0;
     if (dx == 0 && dy == 0) {
-        printf("A point: 1 pixel.\n");
+        printf("a point: 1 pixel\n");
         return;
     }
     if (dx == 0)
@@ -156,7 +156,7 @@ static void tell(const struct line *line)
                : c.negative ? "negative"
                             : "positive",
                c.leftward ? "right to left" : "left to right");
-    printf(", |m| %s 1: %s (%c), %s (%c). %d pixels.\n", c.steep ? ">" : "<=", c.along,
+    printf(", |m| %s 1: %s (%c), %s (%c): %d pixels\n", c.steep ? ">" : "<=", c.along,
            c.along_letter, c.across, c.across_letter, line->pixels);
     if (line->tied)
         printf("A tie, p = 0, stays on the way back: both ways light the same pixels.\n");

@@ -14,7 +14,8 @@ bool plane_take_figure(struct words *w, struct plane_figure *f, bool *given)
 {
     *f = plane_figure_default();
     *given = words_take(w, "at");
-    return *given ? flat_points(w, f->corner, 1, &f->count) : words_end(w);
+    const struct words_wanted wanted = {1, FLAT_POINTS, WORDS_FARTHEST};
+    return (!*given || words_points2(w, wanted, f->corner, &f->count)) && words_end(w);
 }
 
 static void caption(struct monitor *m, const struct plane_ops *ops, bool inverse)

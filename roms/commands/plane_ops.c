@@ -40,7 +40,7 @@ static struct plane_step rotation(float degrees)
 static bool translate(struct words *w, struct plane_op *o)
 {
     float v[2];
-    if (!flat_numbers(w, v, 2))
+    if (!words_amounts(w, v, 2))
         return false;
     o->whole = translation(v[0], v[1]);
     return true;
@@ -49,7 +49,7 @@ static bool translate(struct words *w, struct plane_op *o)
 static bool rotate(struct words *w, struct plane_op *o)
 {
     float degrees;
-    if (!flat_numbers(w, &degrees, 1))
+    if (!words_amount(w, &degrees))
         return false;
     o->whole = rotation(degrees);
     return true;
@@ -67,7 +67,7 @@ static void about(struct plane_op *o, struct point2 p, struct plane_step middle)
 static bool rotate_about(struct words *w, struct plane_op *o)
 {
     float v[3];
-    if (!flat_numbers(w, v, 3))
+    if (!words_amounts(w, v, 3))
         return false;
     struct point2 pivot = {v[1], v[2]};
     about(o, pivot, rotation(v[0]));
@@ -79,7 +79,7 @@ static bool rotate_about(struct words *w, struct plane_op *o)
 static bool scale(struct words *w, struct plane_op *o)
 {
     float v[2];
-    if (!flat_numbers(w, v, 2))
+    if (!words_amounts(w, v, 2))
         return false;
     o->whole = step(transform2_scale(v[0], v[1]), "S(%g,%g)", (double)v[0], (double)v[1]);
     return true;
@@ -88,7 +88,7 @@ static bool scale(struct words *w, struct plane_op *o)
 static bool scale_about(struct words *w, struct plane_op *o)
 {
     float v[4];
-    if (!flat_numbers(w, v, 4))
+    if (!words_amounts(w, v, 4))
         return false;
     struct point2 fixed = {v[2], v[3]};
     about(o, fixed, step(transform2_scale(v[0], v[1]), "S(%g,%g)", (double)v[0], (double)v[1]));
@@ -104,8 +104,10 @@ static bool take_equation(struct words *w, const char *name, float *k)
     if (strncmp(words_peek(w), name, length) != 0)
         return false;
     struct words number = {.at = {words_peek(w) + length}, .count = 1};
-    if (!flat_numbers(&number, k, 1))
+    if (!words_next_is_number(&number))
         return false;
+    if (!words_amount(&number, k))
+        return words_refuse(w, "%s", number.trouble);
     words_take(w, words_peek(w));
     return true;
 }
@@ -135,7 +137,7 @@ static bool reflect(struct words *w, struct plane_op *o)
 static bool reflect_line(struct words *w, struct plane_op *o)
 {
     float v[2];
-    if (!flat_numbers(w, v, 2))
+    if (!words_amounts(w, v, 2))
         return false;
     float degrees = atanf(v[0]) / DEGREE;
     o->step[0] = translation(0, -v[1]);
@@ -154,8 +156,8 @@ static bool shear(struct words *w, struct plane_op *o)
     static const char *const names[] = {"x", "y", NULL};
     int axis;
     float k, reference = 0;
-    if (!words_choice(w, names, &axis) || !flat_numbers(w, &k, 1) ||
-        (words_take(w, "about") && !flat_numbers(w, &reference, 1)))
+    if (!words_choice(w, names, &axis) || !words_amount(w, &k) ||
+        (words_take(w, "about") && !words_amount(w, &reference)))
         return false;
     struct matrix3 m =
         axis == 0 ? transform2_shear_x(k, reference) : transform2_shear_y(k, reference);

@@ -14,7 +14,7 @@
 
 enum { PLANE_OPS = 12, PLANE_STEPS = 5, PLANE_NAME = 56 };
 #define PLANE_OPS_FORM                                                                             \
-    "translate tx ty|rotate deg|rotate-about deg x y|scale sx sy|scale-about sx sy x y|"           \
+    "translate tx ty|rotate degrees|rotate-about degrees x y|scale sx sy|scale-about sx sy x y|"   \
     "reflect x|y|origin|y=x|y=-x|x=K|y=K|reflect-line m c|shear x|y k [about K]"
 
 struct plane_step {

@@ -19,10 +19,11 @@ static bool take_view(struct words *w, struct view2 *v)
 {
     *v = (struct view2){.up = {0, 1}, .viewport = {0, 0, 1, 1}, .device = {0, 0, 640, 480}};
     if (words_take(w, "view")) {
-        if (!flat_point(w, &v->origin) || !flat_point(w, &v->up))
+        struct vector3 up;
+        if (!words_point(w, WORDS_FARTHEST, &v->origin) ||
+            !words_direction(w, 2, WORDS_FARTHEST, &up))
             return false;
-        if (v->up.x == 0 && v->up.y == 0)
-            return words_refuse(w, "the direction up has no length");
+        v->up = (struct point2){up.x, up.y};
     }
     if (!words_take(w, "window"))
         return words_refuse(w, "\"window\" is missing");

@@ -16,13 +16,11 @@ static bool take_window(struct words *w, struct clip_window *out)
     while (words_next_is(w, "zoom") || words_next_is(w, "pan")) {
         float v[2];
         if (words_take(w, "zoom")) {
-            if (!flat_numbers(w, v, 1))
+            if (!words_bounded(w, 0.001f, 1000, v))
                 return false;
-            if (!(v[0] >= 0.001f && v[0] <= 1000))
-                return words_refuse(w, "a zoom is within 0.001 and 1000");
             *out = window_zoom(out, v[0]);
         } else if (words_take(w, "pan")) {
-            if (!flat_numbers(w, v, 2))
+            if (!words_amounts(w, v, 2))
                 return false;
             *out = window_pan(out, v[0], v[1]);
         }
@@ -107,16 +105,16 @@ static void frame_axes(const struct graph *g, struct point2 origin, struct point
 
 bool plane_view(struct monitor *m, struct words *w)
 {
-    struct point2 origin, up;
+    struct point2 origin;
+    struct vector3 toward;
     struct plane_figure before, after;
     struct matrix3 matrix;
     bool given;
-    if (!flat_point(w, &origin) || !flat_point(w, &up))
+    if (!words_point(w, WORDS_FARTHEST, &origin) ||
+        !words_direction(w, 2, WORDS_FARTHEST, &toward) || !plane_take_figure(w, &before, &given))
         return false;
-    if (!view_frame(origin, up, &matrix))
-        return words_refuse(w, "the direction up has no length");
-    if (!plane_take_figure(w, &before, &given))
-        return false;
+    const struct point2 up = {toward.x, toward.y};
+    view_frame(origin, up, &matrix); /* it has a length */
     after = plane_figure_image(&before, &matrix);
     printf("world to view\n");
     print_matrix3("", &matrix);

@@ -4,11 +4,11 @@
 #include <string.h>
 
 #include "roms/bsp/dpu.h"
+#include "roms/geometry/transform2.h"
 #include "roms/monitor/command.h"
 #include "roms/monitor/print.h"
 #include "roms/stage/segments.h"
 
-#define DEGREE   0.017453293f
 #define LARGEST  1e6f  /* element of a transformation */
 #define APERTURE 12.0f /* of the pick, stage units */
 
@@ -103,7 +103,7 @@ static bool compact(struct monitor *m, struct words *w)
     printf("free %u bytes, the largest piece %u", (unsigned)free_store_total(&s->free),
            (unsigned)free_store_largest(&s->free));
     segments_compact(s);
-    printf("; now %u, the largest %u.\n", (unsigned)free_store_total(&s->free),
+    printf("; now %u, the largest %u\n", (unsigned)free_store_total(&s->free),
            (unsigned)free_store_largest(&s->free));
     return true;
 }
@@ -148,33 +148,21 @@ static bool put(struct monitor *m, enum segment_status status)
     return done(m, status == SEGMENT_OK ? segment_show(store(m)) : status);
 }
 
-/* Pairs of numbers to the end: at least so many. */
-static bool points(struct words *w, struct point2 *p, int least, int *count)
-{
-    *count = words_left(w) / 2;
-    if (*count < least || words_left(w) % 2 != 0)
-        return words_refuse(w, "it takes pairs of coordinates, at least %d", least);
-    if (*count > SEGMENT_POINTS)
-        return words_refuse(w, "a primitive has at most %d points", SEGMENT_POINTS);
-    for (int i = 0; i < *count; i++)
-        if (!words_number(w, &p[i].x) || !words_number(w, &p[i].y))
-            return false;
-    return true;
-}
-
 static bool put_points(struct monitor *m, struct words *w, enum segment_kind kind, int least)
 {
     struct point2 p[SEGMENT_POINTS];
     int count;
-    return points(w, p, least, &count) && put(m, segment_put(store(m), kind, p, count));
+    const struct words_wanted wanted = {least, SEGMENT_POINTS, WORDS_FARTHEST};
+    return words_points2(w, wanted, p, &count) && words_end(w) &&
+           put(m, segment_put(store(m), kind, p, count));
 }
 
 static bool line(struct monitor *m, struct words *w)
 {
-    float v[4];
-    if (!words_numbers(w, v, 4) || !words_end(w))
+    struct point2 p[2];
+    if (!words_point(w, WORDS_FARTHEST, &p[0]) || !words_point(w, WORDS_FARTHEST, &p[1]) ||
+        !words_end(w))
         return false;
-    struct point2 p[] = {{v[0], v[1]}, {v[2], v[3]}};
     return put(m, segment_put(store(m), SEGMENT_POLYLINE, p, 2));
 }
 
@@ -201,14 +189,9 @@ static bool marker(struct monitor *m, struct words *w)
 static bool text(struct monitor *m, struct words *w)
 {
     struct point2 at;
-    char all[SEGMENT_TEXT + 2] = ""; /* one more, to see that it is too long */
-    if (!words_number(w, &at.x) || !words_number(w, &at.y))
+    char all[SEGMENT_TEXT + 1];
+    if (!words_point(w, WORDS_FARTHEST, &at) || !words_rest(w, all, sizeof all))
         return false;
-    if (words_left(w) == 0)
-        return words_refuse(w, "the text is missing");
-    for (size_t length = 0; words_left(w) > 0; length = strlen(all))
-        snprintf(all + length, sizeof all - length, "%s%s", length > 0 ? " " : "",
-                 w->at[w->next++]);
     return put(m, segment_put_text(store(m), at, all));
 }
 
@@ -245,31 +228,16 @@ static bool highlight(struct monitor *m, struct words *w)
     return done(m, segment_set_highlight(store(m), n, (enum segment_highlight)which));
 }
 
-/* Exact at whole multiples of 90 degrees. */
-static struct matrix3 rotation(float degrees)
-{
-    static const float quarters[] = {1, 0, -1, 0};
-    float turns = degrees / 90, whole = floorf(turns);
-    int k = (int)(whole - 4 * floorf(whole / 4));
-    float c = turns == whole ? quarters[k] : cosf(degrees * DEGREE);
-    float s = turns == whole ? quarters[(k + 3) % 4] : sinf(degrees * DEGREE);
-    return (struct matrix3){{{c, -s, 0}, {s, c, 0}, {0, 0, 1}}};
-}
-
-static struct matrix3 translation(float x, float y)
-{
-    return (struct matrix3){{{1, 0, x}, {0, 1, y}, {0, 0, 1}}};
-}
-
 /* "about X Y" behind an operation: the point that stays. */
 static bool about(struct words *w, struct matrix3 *op)
 {
     float v[2];
     if (!words_take(w, "about"))
         return true;
-    if (!words_numbers(w, v, 2))
+    if (!words_amounts(w, v, 2))
         return false;
-    struct matrix3 there = translation(v[0], v[1]), back = translation(-v[0], -v[1]);
+    struct matrix3 there = transform2_translate(v[0], v[1]),
+                   back = transform2_translate(-v[0], -v[1]);
     *op = matrix3_product(op, &back);
     *op = matrix3_product(&there, op);
     return true;
@@ -280,23 +248,25 @@ static bool operation(struct words *w, struct matrix3 *op)
 {
     float v[2];
     if (words_take(w, "translate")) {
-        if (!words_numbers(w, v, 2))
+        if (!words_amounts(w, v, 2))
             return false;
-        *op = translation(v[0], v[1]);
+        *op = transform2_translate(v[0], v[1]);
         return true;
     }
     if (words_take(w, "scale")) {
-        if (!words_numbers(w, v, 2))
+        if (!words_amounts(w, v, 2))
             return false;
-        *op = (struct matrix3){{{v[0], 0, 0}, {0, v[1], 0}, {0, 0, 1}}};
+        *op = transform2_scale(v[0], v[1]);
         return about(w, op);
     }
     if (words_take(w, "rotate")) {
-        if (!words_number(w, v))
+        if (!words_amount(w, v))
             return false;
-        *op = rotation(v[0]);
+        *op = transform2_rotate(v[0]);
         return about(w, op);
     }
+    if (words_left(w) == 0)
+        return words_refuse(w, "a transformation is missing");
     return words_refuse(w, "\"%.40s\" is not identity, translate, scale or rotate", words_peek(w));
 }
 
@@ -354,15 +324,15 @@ static bool pick(struct monitor *m, struct words *w)
 
 static bool at(struct monitor *m, struct words *w)
 {
-    float v[2];
+    struct point2 place;
     int id;
-    if (!words_numbers(w, v, 2) || !words_end(w))
+    if (!words_point(w, WORDS_FARTHEST, &place) || !words_end(w))
         return false;
-    const struct segment *g = segment_at(store(m), (struct point2){v[0], v[1]}, APERTURE, &id);
+    const struct segment *g = segment_at(store(m), place, APERTURE, &id);
     if (g == NULL)
-        printf("no detectable segment is there.\n");
+        printf("No detectable segment is there.\n");
     else
-        printf("segment %d, pick identifier %d.\n", g->name, id);
+        printf("segment %d, pick identifier %d\n", g->name, id);
     return true;
 }
 
@@ -389,7 +359,7 @@ static bool list(struct monitor *m, struct words *w)
                    print_tidy(t->at[k][1]), print_tidy(t->at[k][2]));
         printf("\n");
     }
-    printf("segments: %d; %u words free, the largest piece %u.\n", s->count,
+    printf("segments: %d; %u words free, the largest piece %u\n", s->count,
            (unsigned)free_store_total(&s->free) / 2, (unsigned)free_store_largest(&s->free) / 2);
     return true;
 }
@@ -404,7 +374,7 @@ static bool words(struct monitor *m, struct words *w)
     if (g == NULL)
         return done(m, SEGMENT_UNKNOWN);
     if (g->at == 0) {
-        printf("segment %d is not shown and has no words.\n", n);
+        printf("Segment %d is not shown and has no words.\n", n);
         return true;
     }
     for (uint32_t k = 0; k < g->bytes; k += 2) {
@@ -428,18 +398,18 @@ static const struct {
     {"delete", "N|all", delete},
     {"rename", "N M", rename_to},
     {"line", "x0 y0 x1 y1", line},
-    {"polyline", "x y x y …", polyline},
-    {"polygon", "x y x y x y …", polygon},
-    {"area", "x y x y x y …", area},
-    {"marker", "x y …", marker},
-    {"text", "x y WORDS", text},
+    {"polyline", "x y x y ...", polyline},
+    {"polygon", "x y x y x y ...", polygon},
+    {"area", "x y x y x y ...", area},
+    {"marker", "x y ...", marker},
+    {"text", "x y WORDS ...", text},
     {"ink", "text|bright|red|orange|yellow|green|cyan|blue|violet|brown|grid", ink},
     {"dash", "solid|long|short|dot", dash},
     {"visible", "N on|off", visible},
     {"highlight", "N on|off|blink", highlight},
     {"detectable", "N on|off", detectable},
     {"transform",
-     "N identity|translate dx dy|scale sx sy [about x y]|rotate deg [about x y] [then …]",
+     "N identity|translate dx dy|scale sx sy [about x y]|rotate degrees [about x y] [then ...]",
      transform},
     {"pick", "N ID", pick},
     {"at", "x y", at},
@@ -476,7 +446,7 @@ static bool segment(struct monitor *m, struct words *w)
 }
 
 const struct command commands_segments[] = {
-    {"segment", "help|create|close|delete|line|text|transform|list|… (segment help: all forms)",
+    {"segment", "help|create|close|delete|line|text|transform|list|... (segment help: all forms)",
      "the segmented display file: parts of a picture by name", segment},
     {NULL, NULL, NULL, NULL},
 };

@@ -64,8 +64,7 @@ struct shape {
 static bool take_sizes(struct words *w, struct shape *s, int count)
 {
     for (int i = 0; i < count && words_next_is_number(w); i++)
-        if (!words_number(w, &s->size[i]) || (!(s->size[i] >= 0.01f && s->size[i] <= 1000) &&
-                                              !words_refuse(w, "a size is 0.01 to 1000")))
+        if (!words_bounded(w, 0.01f, 1000, &s->size[i]))
             return false;
     return true;
 }
@@ -151,12 +150,11 @@ static bool object(struct monitor *m, struct words *w)
 
 static bool look(struct monitor *m, struct words *w)
 {
+    enum { ANGLE = 3600 };
     struct look at = {0, 0, 0};
-    if (!words_number(w, &at.yaw) || !words_number(w, &at.pitch) ||
+    if (!words_bounded(w, -ANGLE, ANGLE, &at.yaw) || !words_bounded(w, -ANGLE, ANGLE, &at.pitch) ||
         (words_next_is_number(w) && !words_number(w, &at.eye)) || !words_end(w))
         return false;
-    if (!(fabsf(at.yaw) <= 3600 && fabsf(at.pitch) <= 3600))
-        return words_refuse(w, "angles are degrees from -3600 to 3600");
     if (at.eye != 0 && !(at.eye >= 1.5f && at.eye <= 100))
         return words_refuse(w,
                             "the eye is 1.5 to 100 times the object's reach away, or 0: parallel");
@@ -246,11 +244,11 @@ static bool attributes(struct monitor *m, struct words *w)
     (void)m;
     if (!words_end(w))
         return false;
-    printf("    name      colours     ka     kd     ks      n  transparent\n");
+    printf("    name      colours     ka     kd     ks        n  transparent\n");
     static const char *const ramps[] = {"grey", "copper", "green", "blue", "gold"};
     for (int i = 0; i < o->attributes; i++) {
         const struct object_attribute *a = &o->attribute[i];
-        printf("A%d: %-9s %-7s %6.4f %6.4f %6.4f %6.1f %12.4f\n", i + 1, a->name,
+        printf("A%d: %-9s %-7s %6.4f %6.4f %6.4f %8.4f %12.4f\n", i + 1, a->name,
                ramps[a->ramp % INK_RAMPS], (double)a->ambient, (double)a->diffuse,
                (double)a->specular, (double)a->shininess, (double)a->transparency);
     }
@@ -390,18 +388,15 @@ static void draw_plane(struct monitor *m, const struct vector3 p[3], const struc
 
 static bool plane(struct monitor *m, struct words *w)
 {
-    enum { MOST_COORDINATE = 10000 };
-    float v[9], at[3] = {0, 0, 0};
-    if (!words_numbers(w, v, 9))
-        return false;
+    enum { FARTHEST = 10000 /* D grows with the third power */ };
+    struct vector3 at[3], q = {0, 0, 0};
+    for (int i = 0; i < 3; i++)
+        if (!words_vector(w, FARTHEST, &at[i]))
+            return false;
     bool has_point = words_take(w, "at");
-    if ((has_point && !words_numbers(w, at, 3)) || !words_end(w))
+    if ((has_point && !words_vector(w, FARTHEST, &q)) || !words_end(w))
         return false;
-    for (int i = 0; i < 9; i++)
-        if (!(fabsf(v[i]) <= MOST_COORDINATE))
-            return words_refuse(w, "coordinates are -10000 to 10000");
-    struct vector3 p1 = {v[0], v[1], v[2]}, p2 = {v[3], v[4], v[5]}, p3 = {v[6], v[7], v[8]};
-    struct plane p = plane_through(p1, p2, p3);
+    struct plane p = plane_through(at[0], at[1], at[2]);
     if (p.a == 0 && p.b == 0 && p.c == 0)
         return words_refuse(w, "the points lie on a line");
     printf("A = %.4f  B = %.4f  C = %.4f  D = %.4f\n", print_tidy(p.a), print_tidy(p.b),
@@ -409,25 +404,23 @@ static bool plane(struct monitor *m, struct words *w)
     printf("N = ");
     print_vector3(plane_normal(&p));
     printf("\n");
-    struct vector3 q = {at[0], at[1], at[2]};
     if (has_point) {
         float value = plane_value(&p, q);
         print_vector3(q);
         printf(": Ax + By + Cz + D = %.4f, %s\n", print_tidy(value), side_text(value));
     }
-    draw_plane(m, (const struct vector3[]){p1, p2, p3}, &p, has_point ? &q : NULL);
+    draw_plane(m, at, &p, has_point ? &q : NULL);
     return true;
 }
 
 static bool inside(struct monitor *m, struct words *w)
 {
     const struct object *o = present_object();
-    float v[3];
+    struct vector3 at;
     int first = -1;
     (void)m;
-    if (!words_numbers(w, v, 3) || !words_end(w))
+    if (!words_vector(w, WORDS_FARTHEST, &at) || !words_end(w))
         return false;
-    struct vector3 at = {v[0], v[1], v[2]};
     int outside = solid_planes_outside(o, at, &first);
     print_vector3(at);
     if (outside == 0)
@@ -440,8 +433,8 @@ static bool inside(struct monitor *m, struct words *w)
 
 const struct command commands_solids[] = {
     {"object",
-     "box [w h d] | sphere [r [segments [rings]]] | cylinder [r h [segments]] | torus [R r "
-     "[segments [rings]]] | vessel [segments] | pair",
+     "box [w h d]|sphere [r [SEGMENTS [RINGS]]]|cylinder [r h [SEGMENTS]]|"
+     "torus [R r [SEGMENTS [RINGS]]]|vessel [SEGMENTS]|pair",
      "makes the present object and draws it", object},
     {"look", "YAW PITCH [EYE]", "turns the present object; EYE: how many times its reach away",
      look},

@@ -163,18 +163,16 @@ static bool transform(struct monitor *m, struct words *w)
 }
 
 const struct command commands_space[] = {
-    {"3d",
-     "OP ... [then OP ...] [inverse] [at x y z ...], OP: translate|scale|scale-about|rotate|"
-     "rotate-parallel|rotate-axis|reflect|shear",
-     "transforms points, or the unit cube; 3d OP alone tells what OP takes", transform},
-    {"viewing", "vrp-x y z vpn-x y z vup-x y z [at x y z ...]",
+    {"3d", "OP [then OP ...] [inverse] [at x y z ...]; OP: " SPACE_OPERATIONS_FORM,
+     "transforms points, or the unit cube", transform},
+    {"viewing", "vrp-x vrp-y vrp-z vpn-x vpn-y vpn-z vup-x vup-y vup-z [at x y z ...]",
      "turns world coordinates into viewing coordinates", space_viewing},
-    {"project",
-     "KIND ... [at x y z ...], KIND: front|rear|left|right|plan|isometric|dimetric|trimetric|"
-     "cavalier|cabinet|oblique|perspective|one-point|two-point|three-point",
-     "projects points, or a house; oblique: degrees at which the z axis is drawn", space_project},
+    {"project", "KIND [at x y z ...]; KIND: " SPACE_PROJECTIONS_FORM,
+     "projects points, or a house; cavalier, cabinet, oblique: degrees at which the z axis is "
+     "drawn",
+     space_project},
     {"clip3d",
-     "parallel|perspective [zprp zvp] xmin ymin xmax ymax near far line|polygon x y z ...",
+     "parallel|perspective [zprp zvp] xmin ymin xmax ymax near far line|polygon x y z x y z ...",
      "clips a line or a polygon to the view volume", space_clip},
     {NULL, NULL, NULL, NULL},
 };

@@ -25,11 +25,11 @@ static bool take_volume(struct words *w, struct request *r)
     struct clip_window window;
     if (!words_choice(w, kinds, &kind))
         return false;
-    if (kind == 1 && (!space_number(w, &prp.z) || !space_number(w, &zvp)))
+    if (kind == 1 && (!words_amount(w, &prp.z) || !words_amount(w, &zvp)))
         return false;
-    if (!space_number(w, &window.x_min) || !space_number(w, &window.y_min) ||
-        !space_number(w, &window.x_max) || !space_number(w, &window.y_max) ||
-        !space_number(w, &near) || !space_number(w, &far))
+    if (!words_amount(w, &window.x_min) || !words_amount(w, &window.y_min) ||
+        !words_amount(w, &window.x_max) || !words_amount(w, &window.y_max) ||
+        !words_amount(w, &near) || !words_amount(w, &far))
         return false;
     bool taken = kind == 1 ? volume_perspective(prp, zvp, &window, near, far, &r->volume)
                            : volume_parallel(&window, near, far, &r->volume);
@@ -49,13 +49,10 @@ static bool take(struct words *w, struct request *r)
     if (!take_volume(w, r) || !words_choice(w, figures, &figure))
         return false;
     r->polygon = figure == 1;
-    if (!space_points(w, r->polygon ? 3 : 2, &r->before))
-        return false;
-    if (!r->polygon && r->before.count > 2)
-        return words_refuse(w, "a line has two points");
-    if (r->before.count > VOLUME_CORNERS)
-        return words_refuse(w, "a polygon has at most %d corners", VOLUME_CORNERS);
-    return true;
+    const struct words_wanted corners = {3, VOLUME_CORNERS, WORDS_FARTHEST},
+                              ends = {2, 2, WORDS_FARTHEST};
+    return words_points(w, 3, r->polygon ? corners : ends, r->before.at, &r->before.count) &&
+           words_end(w);
 }
 
 /* ---- on the console -------------------------------------------------------------------------- */

@@ -42,7 +42,7 @@ static bool dimetric(struct words *w, struct request *r, int which)
     (void)which;
     float factor = 0.5f;
     r->family = AXONOMETRIC;
-    if (words_next_is_number(w) && !space_number(w, &factor))
+    if (words_next_is_number(w) && !words_amount(w, &factor))
         return false;
     if (!projection_dimetric(factor, &r->axonometric))
         return words_refuse(w, "the factor of z lies above 0 and up to 1");
@@ -54,7 +54,7 @@ static bool trimetric(struct words *w, struct request *r, int which)
     (void)which;
     float turn = -30, tilt = 20;
     r->family = AXONOMETRIC;
-    if (words_next_is_number(w) && (!space_number(w, &turn) || !space_number(w, &tilt)))
+    if (words_next_is_number(w) && (!words_amount(w, &turn) || !words_amount(w, &tilt)))
         return false;
     r->axonometric = projection_axonometric(turn, tilt);
     return true;
@@ -65,9 +65,9 @@ static bool oblique(struct words *w, struct request *r, int which)
 {
     float degrees = 225, factor = which == 0 ? 1 : 0.5f;
     r->family = OBLIQUE;
-    if ((which == 2 || words_next_is_number(w)) && !space_number(w, &degrees))
+    if ((which == 2 || words_next_is_number(w)) && !words_amount(w, &degrees))
         return false;
-    if (which == 2 && !space_number(w, &factor))
+    if (which == 2 && !words_amount(w, &factor))
         return false;
     r->matrix = projection_oblique(degrees, factor);
     return true;
@@ -91,13 +91,13 @@ static bool perspective(struct words *w, struct request *r, int which)
     (void)which;
     struct vector3 prp = {0, 0, 0};
     float zvp, turn = 0, tilt = 0;
-    if (!space_number(w, &prp.z) || !space_number(w, &zvp))
+    if (!words_amount(w, &prp.z) || !words_amount(w, &zvp))
         return false;
-    if (words_take(w, "from") && (!space_number(w, &prp.x) || !space_number(w, &prp.y)))
+    if (words_take(w, "from") && (!words_amount(w, &prp.x) || !words_amount(w, &prp.y)))
         return false;
-    if (words_take(w, "turn") && !space_number(w, &turn))
+    if (words_take(w, "turn") && !words_amount(w, &turn))
         return false;
-    if (words_take(w, "tilt") && !space_number(w, &tilt))
+    if (words_take(w, "tilt") && !words_amount(w, &tilt))
         return false;
     return finish_perspective(w, r, prp, zvp, turn, tilt);
 }
@@ -108,7 +108,7 @@ static bool points_perspective(struct words *w, struct request *r, int which)
     static const struct vector3 eyes[] = {{4, 4, 10}, {0, 1.2f, 10}, {0, 1, 10}};
     struct vector3 prp = eyes[which - 1];
     float zvp = 0;
-    if (words_next_is_number(w) && (!space_number(w, &prp.z) || !space_number(w, &zvp)))
+    if (words_next_is_number(w) && (!words_amount(w, &prp.z) || !words_amount(w, &zvp)))
         return false;
     return finish_perspective(w, r, prp, zvp, which > 1 ? -35 : 0, which > 2 ? 25 : 0);
 }
@@ -126,12 +126,12 @@ static bool take(struct words *w, struct request *r)
         {"right", "", elevation, ELEVATION_RIGHT},
         {"plan", "", elevation, ELEVATION_PLAN},
         {"isometric", "", isometric, 0},
-        {"dimetric", "[z-factor]", dimetric, 0},
+        {"dimetric", "[factor]", dimetric, 0},
         {"trimetric", "[turn tilt]", trimetric, 0},
         {"cavalier", "[degrees]", oblique, 0},
         {"cabinet", "[degrees]", oblique, 1},
         {"oblique", "degrees factor", oblique, 2},
-        {"perspective", "zprp zvp [from x y] [turn deg] [tilt deg]", perspective, 0},
+        {"perspective", "zprp zvp [from x y] [turn degrees] [tilt degrees]", perspective, 0},
         {"one-point", "[zprp zvp]", points_perspective, 1},
         {"two-point", "[zprp zvp]", points_perspective, 2},
         {"three-point", "[zprp zvp]", points_perspective, 3},

@@ -16,11 +16,12 @@ struct request {
 
 static bool take(struct words *w, struct request *r)
 {
-    if (!space_vector(w, &r->reference) || !space_vector(w, &r->normal) ||
-        !space_vector(w, &r->up) || !space_at(w, &r->before))
+    if (!words_vector(w, WORDS_FARTHEST, &r->reference) ||
+        !words_direction(w, 3, WORDS_FARTHEST, &r->normal) ||
+        !words_direction(w, 3, WORDS_FARTHEST, &r->up) || !space_at(w, &r->before))
         return false;
     if (!view3(r->reference, r->normal, r->up, &r->view))
-        return words_refuse(w, "the normal and the view-up must not be 0 or parallel");
+        return words_refuse(w, "the normal and the view-up must not be parallel");
     r->after.count = r->before.count;
     for (int i = 0; i < r->before.count; i++)
         r->after.at[i] = matrix4_apply(&r->view.matrix, r->before.at[i]);

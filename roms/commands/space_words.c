@@ -5,41 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
-bool space_number(struct words *w, float *out)
-{
-    float value;
-    if (!words_number(w, &value))
-        return false;
-    if (fabsf(value) > SPACE_LARGEST)
-        return words_refuse(w, "numbers go up to %.0f", (double)SPACE_LARGEST);
-    *out = value;
-    return true;
-}
-
-bool space_vector(struct words *w, struct vector3 *out)
-{
-    return space_number(w, &out->x) && space_number(w, &out->y) && space_number(w, &out->z);
-}
-
-bool space_points(struct words *w, int least, struct space_points *out)
-{
-    out->count = 0;
-    while (words_left(w) > 0) {
-        if (out->count == SPACE_POINTS)
-            return words_refuse(w, "at most %d points", SPACE_POINTS);
-        if (!space_vector(w, &out->at[out->count]))
-            return false;
-        out->count++;
-    }
-    if (out->count < least)
-        return words_refuse(w, "at least %d point%s of three numbers", least, least > 1 ? "s" : "");
-    return true;
-}
-
 bool space_at(struct words *w, struct space_points *out)
 {
     out->count = 0;
-    return words_take(w, "at") ? space_points(w, 1, out) : words_end(w);
+    const struct words_wanted wanted = {1, SPACE_POINTS, WORDS_FARTHEST};
+    return (!words_take(w, "at") || words_points(w, 3, wanted, out->at, &out->count)) &&
+           words_end(w);
 }
 
 bool space_vector_fits(struct vector3 v)
@@ -79,7 +50,7 @@ static bool axis(struct words *w, enum axis3 *out)
 static bool translate(struct words *w, struct space_operation *o)
 {
     struct vector3 by;
-    if (!space_vector(w, &by))
+    if (!words_vector(w, WORDS_FARTHEST, &by))
         return false;
     transform3_step(&o->transform, "T", transform3_translate(by));
     return true;
@@ -88,7 +59,7 @@ static bool translate(struct words *w, struct space_operation *o)
 static bool scale(struct words *w, struct space_operation *o)
 {
     struct vector3 factors;
-    if (!space_vector(w, &factors))
+    if (!words_vector(w, WORDS_FARTHEST, &factors))
         return false;
     transform3_step(&o->transform, "S", transform3_scale(factors));
     return true;
@@ -97,7 +68,7 @@ static bool scale(struct words *w, struct space_operation *o)
 static bool scale_about(struct words *w, struct space_operation *o)
 {
     struct vector3 factors, fixed;
-    if (!space_vector(w, &factors) || !space_vector(w, &fixed))
+    if (!words_vector(w, WORDS_FARTHEST, &factors) || !words_vector(w, WORDS_FARTHEST, &fixed))
         return false;
     o->transform = transform3_scale_about(factors, fixed);
     return true;
@@ -108,7 +79,7 @@ static bool rotate(struct words *w, struct space_operation *o)
     static const char *const names[] = {"Rx", "Ry", "Rz"};
     enum axis3 about;
     float degrees;
-    if (!axis(w, &about) || !space_number(w, &degrees))
+    if (!axis(w, &about) || !words_amount(w, &degrees))
         return false;
     transform3_step(&o->transform, names[about], transform3_rotate(about, degrees));
     return true;
@@ -119,11 +90,11 @@ static bool rotate_parallel(struct words *w, struct space_operation *o)
     enum axis3 about;
     float degrees;
     struct vector3 through;
-    if (!axis(w, &about) || !space_number(w, &degrees))
+    if (!axis(w, &about) || !words_amount(w, &degrees))
         return false;
     if (!words_take(w, "through"))
         return words_refuse(w, "\"through\" and a point of the axis are missing");
-    if (!space_vector(w, &through))
+    if (!words_vector(w, WORDS_FARTHEST, &through))
         return false;
     o->transform = transform3_rotate_parallel(about, degrees, through);
     return true;
@@ -132,7 +103,8 @@ static bool rotate_parallel(struct words *w, struct space_operation *o)
 static bool rotate_line(struct words *w, struct space_operation *o)
 {
     float degrees;
-    if (!space_vector(w, &o->p1) || !space_vector(w, &o->p2) || !space_number(w, &degrees))
+    if (!words_vector(w, WORDS_FARTHEST, &o->p1) || !words_vector(w, WORDS_FARTHEST, &o->p2) ||
+        !words_amount(w, &degrees))
         return false;
     if (!rotate_axis(o->p1, o->p2, degrees, &o->line))
         return words_refuse(w, "the axis needs two points that differ");
@@ -157,7 +129,7 @@ static bool shear(struct words *w, struct space_operation *o)
 {
     enum axis3 along;
     float a, b;
-    if (!axis(w, &along) || !space_number(w, &a) || !space_number(w, &b))
+    if (!axis(w, &along) || !words_amount(w, &a) || !words_amount(w, &b))
         return false;
     transform3_step(&o->transform, "Sh", transform3_shear(along, a, b));
     return true;

@@ -1,6 +1,6 @@
 /* space_words.h — what the commands of space take from their words: vectors, points, operations.
  *
- * Domain:     numbers up to SPACE_LARGEST; up to SPACE_POINTS points and SPACE_OPERATIONS
+ * Domain:     numbers within ±WORDS_FARTHEST; up to SPACE_POINTS points and SPACE_OPERATIONS
  *             operations.
  * Ownership:  plain values.
  * Errors:     false: a sentence is in words.trouble.
@@ -12,10 +12,19 @@
 #include "roms/geometry/transform3.h"
 #include "roms/monitor/words.h"
 
-#define SPACE_LARGEST 1e6f
 /* Beyond it a product is refused: it would be lost in drawing. */
 #define SPACE_LARGEST_PRODUCT 1e12f
 enum { SPACE_POINTS = 32, SPACE_OPERATIONS = 16 };
+
+#define SPACE_OPERATIONS_FORM                                                                      \
+    "translate x y z|scale sx sy sz|scale-about sx sy sz x y z|rotate x|y|z degrees|"              \
+    "rotate-parallel x|y|z degrees through x y z|rotate-axis x1 y1 z1 x2 y2 z2 degrees|"           \
+    "reflect x|y|z|xy|yz|xz|shear x|y|z a b"
+#define SPACE_PROJECTIONS_FORM                                                                     \
+    "front|rear|left|right|plan|isometric|dimetric [factor]|trimetric [turn tilt]|"                \
+    "cavalier|cabinet [degrees]|oblique degrees factor|"                                           \
+    "perspective zprp zvp [from x y] [turn degrees] [tilt degrees]|"                               \
+    "one-point|two-point|three-point [zprp zvp]"
 
 struct space_points {
     struct vector3 at[SPACE_POINTS];
@@ -30,11 +39,6 @@ struct space_operation {
     struct vector3 p1, p2;
 };
 
-/* A number that is not too large. */
-bool space_number(struct words *w, float *out);
-bool space_vector(struct words *w, struct vector3 *out);
-/* Points to the end of the line, at least `least`. */
-bool space_points(struct words *w, int least, struct space_points *out);
 /* "at x y z …" to the end of the line, or nothing: no points. */
 bool space_at(struct words *w, struct space_points *out);
 bool space_operation(struct words *w, struct space_operation *out);

@@ -40,13 +40,14 @@ static bool back_face(struct monitor *m, struct words *w)
     static const char *const kinds[] = {"parallel", "eye", NULL};
     static bool is_back[OBJECT_POLYGONS];
     const struct object *o = present_object();
-    float v[3];
+    struct vector3 view;
     int kind, back = 0;
-    if (!words_choice(w, kinds, &kind) || !words_numbers(w, v, 3) || !words_end(w))
+    if (!words_choice(w, kinds, &kind))
         return false;
-    struct vector3 view = {v[0], v[1], v[2]};
-    if (kind == PARALLEL && vector3_length(view) == 0)
-        return words_refuse(w, "a direction of length 0 is none");
+    bool taken = kind == PARALLEL ? words_direction(w, 3, WORDS_FARTHEST, &view)
+                                  : words_vector(w, WORDS_FARTHEST, &view);
+    if (!taken || !words_end(w))
+        return false;
     printf("           A        B        C        D %9s  polygon  by the sign of D\n",
            kind == PARALLEL ? "V.N" : "at E");
     for (int i = 0; i < o->polygons; i++) {
@@ -150,10 +151,10 @@ static void table_lines(const struct scene *scene)
 {
     struct hidden_lines *h = &workroom()->hidden;
     struct hidden_part part;
-    printf("          from                to  of edge\n");
+    printf("               from                  to  of edge\n");
     hidden_begin(h, scene, EDGES_FOLDED);
     while (hidden_next(h, &part))
-        printf("%8.2f %8.2f %8.2f %8.2f  V%d-V%d %s\n", print_tidy(part.a.x), print_tidy(part.a.y),
+        printf("%9.4f %9.4f %9.4f %9.4f  V%d-V%d %s\n", print_tidy(part.a.x), print_tidy(part.a.y),
                print_tidy(part.b.x), print_tidy(part.b.y), scene->edge[part.edge].vertex[0] + 1,
                scene->edge[part.edge].vertex[1] + 1, part.seen ? "seen" : "hidden");
 }
@@ -261,7 +262,7 @@ static bool count(struct monitor *m, struct words *w)
 }
 
 const struct command commands_surfaces[] = {
-    {"back-face", "parallel vx vy vz | eye x y z",
+    {"back-face", "parallel vx vy vz|eye x y z",
      "the present object's back faces, looking along V or from E", back_face},
     {"hidden",
      "depth-buffer|scan-line|painter|lines|depth-from-0|all [object|solids|two|cycle|pierce] "

@@ -217,9 +217,9 @@ void shading_dither(struct shading_lesson *l, struct stage *stage, float t)
     static const int counts[] = {2, 3, 4, 8};
     int levels = counts[l->shading >= 0 ? l->shading : (int)(t / 4) % 4];
     char text[32];
-    for (int i = 0; i < EYE_HALFTONES; i++) {
+    for (int i = 0; i < DITHER_METHODS; i++) {
         float x = i % 2 ? 890 : 310, y = i < 2 ? 610 : 205;
-        eye_halftone_draw(stage, x, y, 165, levels, (enum eye_halftone)i);
+        eye_halftone_draw(stage, x, y, 165, levels, (enum dither_method)i);
         stage_ink(stage, INK_TEXT);
         stage_text_middle(stage, x, y - 195, labels[i]);
     }

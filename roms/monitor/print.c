@@ -3,9 +3,16 @@
 #include <stdio.h>
 #include <string.h>
 
+double print_tidy_to(float value, int decimals)
+{
+    static const float halves[] = {0.5f,  0.05f, 0.005f, 0.0005f, 0.00005f,
+                                   5e-6f, 5e-7f, 5e-8f,  5e-9f,   5e-10f};
+    return value > -halves[decimals] && value < halves[decimals] ? 0 : (double)value;
+}
+
 double print_tidy(float value)
 {
-    return value > -0.00005f && value < 0.00005f ? 0 : (double)value;
+    return print_tidy_to(value, 4);
 }
 
 static void matrix_row(const char *name, int row, const float *at, int count)

@@ -1,5 +1,9 @@
 #include "roms/raster/dither.h"
 
+#include <stddef.h>
+
+const char *const dither_names[] = {"none", "ordered-4", "ordered-8", "diffusion", NULL};
+
 /* D(2n) is four of 4 D(n), to which 0 2 / 3 1 is added. */
 const uint8_t dither_bayer_4[4][4] = {
     {0, 8, 2, 10},
@@ -20,4 +24,11 @@ void dither_diffusion_begin(struct dither_diffusion *d, float *error, int width,
     *d = (struct dither_diffusion){.error = error, .width = width, .levels = levels};
     for (int i = 0; i < width + 2; i++)
         error[i] = 0;
+}
+
+void dither_begin(struct dither *d, enum dither_method method, int levels, float *error, int width)
+{
+    d->method = method;
+    d->levels = levels;
+    dither_diffusion_begin(&d->diffusion, error, width, levels);
 }

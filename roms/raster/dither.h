@@ -5,7 +5,7 @@
  *                  over the picture (Bayer)                     what a pixel could not show goes
  *                                                               to those that come after it
  *
- * Models:     Bayer's matrices of 4 by 4 and 8 by 8, and the weights of Floyd and Steinberg. The
+ * Models:     methods by their names; Bayer's matrices of 4 by 4 and 8 by 8, and the weights of Floyd and Steinberg. The
  *             mean over an area is that of the intensities.
  * Cost:       ordered: a look-up and a multiplication, about 13 instructions a pixel; diffusion:
  *             about 38, and a row of errors.
@@ -27,18 +27,27 @@
 
 #include "roms/geometry/scalar.h"
 
-enum dither_order { DITHER_NONE, DITHER_ORDERED_4, DITHER_ORDERED_8 };
+enum dither_method {
+    DITHER_NONE,
+    DITHER_ORDERED_4,
+    DITHER_ORDERED_8,
+    DITHER_DIFFUSION,
+    DITHER_METHODS
+};
+/* "none", "ordered-4" ...; ends with NULL. */
+extern const char *const dither_names[];
 
 extern const uint8_t dither_bayer_4[4][4]; /* 0…15 */
 extern const uint8_t dither_bayer_8[8][8]; /* 0…63 */
 
-/* The level of a pixel. DITHER_NONE: the nearest one. */
-static inline int dither_ordered(enum dither_order order, int levels, int x, int y, float intensity)
+/* The level of a pixel by any method but diffusion. DITHER_NONE: the nearest one. */
+static inline int dither_ordered(enum dither_method method, int levels, int x, int y,
+                                 float intensity)
 {
     float threshold = 0.5f;
-    if (order == DITHER_ORDERED_4)
+    if (method == DITHER_ORDERED_4)
         threshold = ((float)dither_bayer_4[y & 3][x & 3] + 0.5f) / 16;
-    else if (order == DITHER_ORDERED_8)
+    else if (method == DITHER_ORDERED_8)
         threshold = ((float)dither_bayer_8[y & 7][x & 7] + 0.5f) / 64;
     return (int)(scalar_clamp(intensity, 0, 1) * (float)(levels - 1) + threshold);
 }
@@ -72,6 +81,23 @@ static inline int dither_diffusion_next(struct dither_diffusion *d, float intens
         d->here = d->last = 0;
     }
     return level;
+}
+
+/* A picture by one of the methods. */
+struct dither {
+    enum dither_method method;
+    int levels;
+    struct dither_diffusion diffusion;
+};
+
+/* `error` has room for width + 2. */
+void dither_begin(struct dither *d, enum dither_method method, int levels, float *error, int width);
+
+/* The level of the next pixel, which is at x, y: row by row from the top, each from the left. */
+static inline int dither_next(struct dither *d, int x, int y, float intensity)
+{
+    return d->method == DITHER_DIFFUSION ? dither_diffusion_next(&d->diffusion, intensity)
+                                         : dither_ordered(d->method, d->levels, x, y, intensity);
 }
 
 #endif

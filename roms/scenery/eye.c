@@ -4,7 +4,6 @@
 #include <stddef.h>
 
 #include "roms/geometry/scalar.h"
-#include "roms/raster/dither.h"
 
 /* ---- Mach bands ------------------------------------------------------------------------------ */
 
@@ -89,8 +88,6 @@ void eye_mach_draw(struct stage *s, const struct eye_profile *p)
 
 /* ---- few levels ------------------------------------------------------------------------------ */
 
-const char *const eye_halftone_names[] = {"none", "ordered-4", "ordered-8", "diffusion", NULL};
-
 /* A Lambertian ball of radius 1, lit from the upper left; its ground is dark. */
 static float ball(float x, float y)
 {
@@ -101,39 +98,20 @@ static float ball(float x, float y)
     return 0.05f + 0.9f * scalar_max(light, 0);
 }
 
-struct halftone {
-    int levels;
-    enum eye_halftone method;
-    struct dither_diffusion diffusion;
-    float error[2 * STAGE_WIDTH + 2];
-};
-
-static void halftone_begin(struct halftone *h, int width, int levels, enum eye_halftone method)
-{
-    h->levels = levels;
-    h->method = method;
-    dither_diffusion_begin(&h->diffusion, h->error, width, levels);
-}
-
-/* Pixels must come row by row. */
-static int halftone_level(struct halftone *h, int x, int y, float intensity)
-{
-    if (h->method == EYE_DIFFUSION)
-        return dither_diffusion_next(&h->diffusion, intensity);
-    return dither_ordered((enum dither_order)h->method, h->levels, x, y, intensity);
-}
+enum { WIDEST = 2 * STAGE_WIDTH }; /* pixels, of a ball */
 
 static void draw_ball(const struct stage *s, int left, int top, int width, int levels,
-                      enum eye_halftone method)
+                      enum dither_method method)
 {
-    struct halftone h;
+    struct dither d;
+    float error[WIDEST + 2];
     const struct canvas *c = &s->canvas;
-    halftone_begin(&h, width, levels, method);
+    dither_begin(&d, method, levels, error, width);
     for (int y = 0; y < width && top + y < c->height; y++) {
         for (int x = 0; x < width; x++) {
             float per = 2 / (float)width;
             float light = ball(((float)x + 0.5f) * per - 1, 1 - ((float)y + 0.5f) * per);
-            int level = halftone_level(&h, x, y, light);
+            int level = dither_next(&d, x, y, light);
             canvas_dot(c, left + x, top + y,
                        ink_shade(RAMP_GREY, (float)level / (float)(levels - 1)));
         }
@@ -142,17 +120,18 @@ static void draw_ball(const struct stage *s, int left, int top, int width, int l
 
 /* On the vector head: a dot for a pixel, as bright as its level. */
 static void dot_ball(struct stage *s, float x, float y, float radius, int levels,
-                     enum eye_halftone method)
+                     enum dither_method method)
 {
     enum { DOTS = 26 };
     static const enum ink inks[] = {INK_BLACK, INK_GRID,  INK_BROWN,
                                     INK_TEXT,  INK_GREEN, INK_BRIGHT};
-    struct halftone h;
-    halftone_begin(&h, DOTS, levels, method);
+    struct dither d;
+    float error[DOTS + 2];
+    dither_begin(&d, method, levels, error, DOTS);
     for (int row = 0; row < DOTS; row++) {
         for (int k = 0; k < DOTS; k++) {
             float u = 2 * ((float)k + 0.5f) / DOTS - 1, v = 1 - 2 * ((float)row + 0.5f) / DOTS;
-            int level = halftone_level(&h, k, row, ball(u, v));
+            int level = dither_next(&d, k, row, ball(u, v));
             if (level == 0)
                 continue;
             stage_ink(s, inks[level * 5 / (levels - 1) > 0 ? level * 5 / (levels - 1) : 1]);
@@ -162,11 +141,11 @@ static void dot_ball(struct stage *s, float x, float y, float radius, int levels
 }
 
 void eye_halftone_draw(struct stage *s, float x, float y, float radius, int levels,
-                       enum eye_halftone method)
+                       enum dither_method method)
 {
     unsigned heads = s->heads;
     int width = (int)(2 * radius * s->dots);
-    if (heads & STAGE_RASTER && width > 0 && width <= 2 * STAGE_WIDTH)
+    if (heads & STAGE_RASTER && width > 0 && width <= WIDEST)
         draw_ball(s, (int)stage_canvas_x(s, x - radius), (int)stage_canvas_y(s, y + radius), width,
                   levels, method);
     stage_heads(s, heads & STAGE_VECTOR);
@@ -175,18 +154,19 @@ void eye_halftone_draw(struct stage *s, float x, float y, float radius, int leve
     stage_heads(s, heads);
 }
 
-struct eye_means eye_halftone_means(int levels, enum eye_halftone method)
+struct eye_means eye_halftone_means(int levels, enum dither_method method)
 {
-    struct halftone h;
+    struct dither d;
+    float error[EYE_BALL + 2];
     struct eye_means m = {0};
-    halftone_begin(&h, EYE_BALL, levels, method);
+    dither_begin(&d, method, levels, error, EYE_BALL);
     for (int y = 0; y < EYE_BALL; y++) {
         for (int x = 0; x < EYE_BALL; x++) {
             float per = 2.0f / EYE_BALL;
             float light = ball(((float)x + 0.5f) * per - 1, 1 - ((float)y + 0.5f) * per);
             int band = y * EYE_BANDS / EYE_BALL;
             m.wanted[band] += light;
-            m.shown[band] += (float)halftone_level(&h, x, y, light) / (float)(levels - 1);
+            m.shown[band] += (float)dither_next(&d, x, y, light) / (float)(levels - 1);
         }
     }
     for (int i = 0; i < EYE_BANDS; i++) {

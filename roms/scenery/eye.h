@@ -9,6 +9,7 @@
 #define ROMS_SCENERY_EYE_H
 
 #include "roms/light/mach.h"
+#include "roms/raster/dither.h"
 #include "roms/stage/stage.h"
 
 /* ---- Mach bands ------------------------------------------------------------------------------ */
@@ -31,12 +32,9 @@ void eye_mach_draw(struct stage *stage, const struct eye_profile *p);
 
 /* ---- few levels ------------------------------------------------------------------------------ */
 
-enum eye_halftone { EYE_NONE, EYE_ORDERED_4, EYE_ORDERED_8, EYE_DIFFUSION, EYE_HALFTONES };
-extern const char *const eye_halftone_names[]; /* ends with NULL */
-
 /* A ball in grey levels; on the vector head in dots. */
 void eye_halftone_draw(struct stage *stage, float x, float y, float radius, int levels,
-                       enum eye_halftone method);
+                       enum dither_method method);
 
 /* Means over bands of rows of a ball of EYE_BALL pixels. */
 enum { EYE_BALL = 128, EYE_BANDS = 8 };
@@ -44,6 +42,6 @@ struct eye_means {
     float wanted[EYE_BANDS], shown[EYE_BANDS];
     float all_wanted, all_shown;
 };
-struct eye_means eye_halftone_means(int levels, enum eye_halftone method);
+struct eye_means eye_halftone_means(int levels, enum dither_method method);
 
 #endif

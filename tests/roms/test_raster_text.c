@@ -163,7 +163,7 @@ static void ordered_dithering_keeps_the_mean(void **state)
                 int side = order == DITHER_ORDERED_4 ? 4 : 8, sum = 0;
                 for (int y = 0; y < side; y++)
                     for (int x = 0; x < side; x++) {
-                        int level = dither_ordered((enum dither_order)order, levels, x + 16, y,
+                        int level = dither_ordered((enum dither_method)order, levels, x + 16, y,
                                                    (float)v / 1000);
                         assert_in_range(level, 0, levels - 1);
                         sum += level;
