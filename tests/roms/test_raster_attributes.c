@@ -14,6 +14,7 @@
 #include "roms/clip/liang_barsky.c"
 #include "roms/raster/fill.c"
 #include "roms/raster/line_antialiased.c"
+#include "roms/raster/line_bresenham.c"
 #include "roms/raster/line_dashed.c"
 #include "roms/raster/line_thick.c"
 #include "roms/raster/polygon_fill.c"
@@ -239,6 +240,28 @@ static void dashes_go_on_around_corners(void **state)
     assert_true(checked > 1000000);
 }
 
+/* Dashed or solid, a line from the same end has the same pixels. */
+static void dashes_are_on_the_solid_lines_pixels(void **state)
+{
+    (void)state;
+    static const struct dash_pattern pattern = {{3, 2}, 2};
+    for (int y1 = -40; y1 <= 40; y1++)
+        for (int x1 = -40; x1 <= 40; x1++) {
+            struct dash_phase phase = {0};
+            struct line_dashed dashed;
+            struct line_bresenham solid;
+            int x = 0, y = 0;
+            bool on;
+            line_dashed_begin(&dashed, 0, 0, x1, y1, &pattern, &phase);
+            line_bresenham_begin(&solid, 0, 0, x1, y1);
+            while (line_bresenham_next(&solid)) {
+                assert_true(line_dashed_next(&dashed, &x, &y, &on));
+                assert_true(x == solid.x && y == solid.y);
+            }
+            assert_false(line_dashed_next(&dashed, &x, &y, &on));
+        }
+}
+
 static void dashes_outside_are_left_out(void **state)
 {
     (void)state;
@@ -379,6 +402,7 @@ int main(void)
         cmocka_unit_test(blending_mixes_each_primary),
         cmocka_unit_test(blended_lines_are_contained),
         cmocka_unit_test(dashes_go_on_around_corners),
+        cmocka_unit_test(dashes_are_on_the_solid_lines_pixels),
         cmocka_unit_test(dashes_outside_are_left_out),
         cmocka_unit_test(round_lines_are_what_is_near),
         cmocka_unit_test(ends_are_butt_or_square),
