@@ -17,7 +17,8 @@
  *             and display memory.
  * Errors:     a head that is not there takes everything and keeps nothing. Words that do not fit
  *             into display memory are left out; stage_full tells, and so does the picture. Places
- *             that are not finite, or beyond a million, are left out.
+ *             that are not finite, or beyond a million, are left out. A display processor that
+ *             stands still in the part that comes next is waited for half a second, once a picture.
  * Not modelled: areas on the vector head: their outline is drawn, hatched when asked. Display
  *             memory of less than 64 KiB; tubes of fewer than 1024 units up (VR14 cuts the title).
  */

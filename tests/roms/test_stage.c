@@ -362,6 +362,21 @@ static void no_picture_is_written_while_it_is_shown(void **state)
     }
 }
 
+/* Somebody has stopped the display processor within the part that comes next. */
+static void a_display_processor_that_stands_is_not_waited_for(void **state)
+{
+    (void)state;
+    rig_open(&stage, true, true);
+    for (int k = 0; k < 2; k++) {
+        rig.runs = false;
+        rig.pc = (uint16_t)(part(1 - stage.part_shown) + 2);
+        stage_begin(&stage);
+        some_words();
+        stage_end(&stage);
+        assert_int_equal(stage.pictures, k + 1);
+    }
+}
+
 /* ---- graphs ---------------------------------------------------------------------------------- */
 
 static void graphs_take_any_points(void **state)
@@ -424,6 +439,7 @@ int main(void)
         cmocka_unit_test(panels_keep_to_their_columns_and_lines),
         cmocka_unit_test(full_memory_is_told_and_said),
         cmocka_unit_test(no_picture_is_written_while_it_is_shown),
+        cmocka_unit_test(a_display_processor_that_stands_is_not_waited_for),
         cmocka_unit_test(graphs_take_any_points),
         cmocka_unit_test(ticks_are_round_and_clear_of_each_other),
     };
