@@ -4,7 +4,7 @@
  *                                                 └──▶ curves_frame, curves_draw_... ──▶ stage
  *
  * Models:     points as a list of numbers that ends where a word is; splines by their names;
- *             figures as the course writes them: as many decimals as they need, at most five.
+ *             figures: as many decimals as they need, at most five.
  * Units:      world: the user's; coordinates within ±CURVES_LARGEST.
  * Ownership:  plain values.
  * Errors:     curves_take_... return false after words_refuse.

@@ -1,6 +1,6 @@
 /* flat_words.h — what the commands of the plane take and print alike.
  *
- * Models:     coordinates, windows and lists of points as words; figures as the course writes them.
+ * Models:     coordinates, windows and lists of points as words; figures as short as they are exact.
  * Domain:     coordinates within ±FLAT_MOST, so that single precision keeps five figures and
  *             nothing overflows.
  * Ownership:  plain values.
