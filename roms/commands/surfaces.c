@@ -1,4 +1,5 @@
 /* surfaces.c — visible surfaces: back faces, and pictures by each method. */
+#include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
@@ -44,6 +45,9 @@ static bool back_face(struct monitor *m, struct words *w)
     int kind, back = 0;
     if (!words_choice(w, kinds, &kind) || !words_numbers(w, v, 3) || !words_end(w))
         return false;
+    for (int i = 0; i < 3; i++)
+        if (!(fabsf(v[i]) <= 1e6f))
+            return words_refuse(w, "%.40g is not within -1000000 and 1000000", (double)v[i]);
     struct vector3 view = {v[0], v[1], v[2]};
     if (kind == PARALLEL && vector3_length(view) == 0)
         return words_refuse(w, "a direction of length 0 is none");

@@ -10,7 +10,7 @@ static void say_why(const struct canvas *c)
 {
     static const char text[] = "This mode has more pixels than the depth buffer";
     int scale = c->height >= 900 ? 2 : 1, width = (int)strlen(text) * FONT_WIDTH * scale;
-    canvas_text(c, (c->width - width) / 2, c->height / 2, scale, scale, INK_RED, text);
+    canvas_text(c, (c->width - width) / 2, c->height / 3, scale, scale, INK_RED, text);
 }
 
 struct depth_buffer lesson_depth(const struct canvas *c)

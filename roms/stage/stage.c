@@ -114,11 +114,6 @@ void stage_begin(struct stage *stage)
     stage_ink(stage, INK_TEXT);
 }
 
-bool stage_full(const struct stage *stage)
-{
-    return stage->full || stage->display.full;
-}
-
 /* In both pictures. */
 static void say_full(struct stage *stage)
 {

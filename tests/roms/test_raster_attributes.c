@@ -183,17 +183,36 @@ static void blending_mixes_each_primary(void **state)
     }
 }
 
+/* Lines that leave the canvas, on one within a larger store: some of its pixels are lit, and what
+ * lies about it stays; lines that are no lines light nothing. */
 static void blended_lines_are_contained(void **state)
 {
     (void)state;
+    enum { INSET = 20 };
     for (unsigned bits = 16; bits <= 32; bits += 16) {
-        struct canvas c = canvas_of(bits);
+        struct canvas all = canvas_of(bits), c = all;
+        c.pixels += (unsigned)INSET * c.pitch + INSET * bits / 8;
+        c.width -= 2 * INSET;
+        c.height -= 2 * INSET;
         for (int i = 0; i < 2000; i++)
             canvas_line_blended(&c, random_within(-500, 500), random_within(-500, 500),
                                 random_within(-500, 500), random_within(-500, 500), 0xFFFF);
+        int lit = 0;
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                bool within = x >= INSET && y >= INSET && x < WIDTH - INSET && y < HEIGHT - INSET;
+                bool is_lit = canvas_pixel(&all, x, y) != 0;
+                assert_true(within || !is_lit);
+                lit += is_lit;
+            }
+        assert_true(lit > c.width * c.height / 2);
+        canvas_clear(&all, 0);
         canvas_line_blended(&c, NAN, 0, 10, 10, 1);
         canvas_line_blended(&c, -INFINITY, 0, 10, 10, 1);
         canvas_line_blended(&c, 3e38f, 0, -3e38f, 10, 1);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++)
+                assert_int_equal(canvas_pixel(&all, x, y), 0);
     }
 }
 

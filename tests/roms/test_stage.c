@@ -297,14 +297,14 @@ static void full_memory_is_told_and_said(void **state)
     for (int k = 0; k < 4; k++) {
         bool much = k % 2 == 0;
         stage_begin(&stage);
-        assert_false(stage_full(&stage));
+        assert_false(stage.full);
         for (int i = 0; i < (much ? 20000 : 20); i++)
             stage_line(&stage, random_between(0, 1200), random_between(0, 800),
                        random_between(0, 1200), random_between(0, 800));
         uint32_t at = part_written();
         stage_chain(&stage, STAGE_FREE_LOW);
         stage_end(&stage);
-        assert_int_equal(stage_full(&stage), much);
+        assert_int_equal(stage.full, much);
         decode(at, &drawing);
         assert_int_equal(drawing.end, STAGE_FREE_LOW);
         assert_int_equal(drawing.characters, much ? 22 : 0);
@@ -397,7 +397,7 @@ static void graphs_take_any_points(void **state)
         assert_nothing_beside();
         assert_true(lit() > 200);
         stage_end(&stage);
-        assert_false(stage_full(&stage));
+        assert_false(stage.full);
     }
 }
 
