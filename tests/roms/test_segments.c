@@ -518,8 +518,7 @@ static void another_store_waits_for_all_segments(void **state)
     assert_int_equal(segment_close(&other), SEGMENT_NO_ROOM);
     assert_int_equal(free_store_total(&other.free), 0);
     assert_memory_equal((uint8_t *)before + store.low + FIXED,
-                        (uint8_t *)rig.memory + store.low + FIXED,
-                        SEGMENTS_BYTES_MOST - FIXED);
+                        (uint8_t *)rig.memory + store.low + FIXED, SEGMENTS_BYTES_MOST - FIXED);
     rig.runs = true;
     segments_settle(&other);
     assert_int_equal(free_store_total(&other.free), SMALL - FIXED);
