@@ -15,7 +15,7 @@ struct clip_window clip_text_box(const struct clip_text *t)
     return cells(t, 0, (int)strlen(t->text));
 }
 
-struct clip_window clip_text_cell(const struct clip_text *t, int number)
+static struct clip_window cell_of(const struct clip_text *t, int number)
 {
     return cells(t, number, 1);
 }
@@ -39,8 +39,7 @@ static bool common(struct clip_window *box, const struct clip_window *w)
 bool clip_text_shows(const struct clip_text *t, const struct clip_window *window,
                      enum clip_text_rule rule, int number)
 {
-    struct clip_window box =
-        rule == CLIP_TEXT_STRING ? clip_text_box(t) : clip_text_cell(t, number);
+    struct clip_window box = rule == CLIP_TEXT_STRING ? clip_text_box(t) : cell_of(t, number);
     return rule == CLIP_TEXT_COMPONENT ? common(&box, window) : within(&box, window);
 }
 
@@ -62,7 +61,7 @@ static bool next_run(struct clip_text_parts *p)
     while (end < t->font->width && (bits & 0x80u >> end))
         end++;
     p->column = end;
-    struct clip_window cell = clip_text_cell(t, p->number);
+    struct clip_window cell = cell_of(t, p->number);
     float top = t->at.y + t->dot * (float)(t->font->height - p->row);
     p->part = (struct clip_window){cell.x_min + t->dot * (float)first, top - t->dot,
                                    cell.x_min + t->dot * (float)end, top};

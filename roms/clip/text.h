@@ -37,9 +37,8 @@ struct clip_text {
     float dot;        /* side of a dot */
 };
 
-/* The boxes of all of it, and of one character. */
+/* The box of all of it. */
 struct clip_window clip_text_box(const struct clip_text *t);
-struct clip_window clip_text_cell(const struct clip_text *t, int number);
 /* Does the rule show this character, or (component) may it show a part of it? */
 bool clip_text_shows(const struct clip_text *t, const struct clip_window *window,
                      enum clip_text_rule rule, int number);

@@ -1,5 +1,13 @@
 /* areas.h — what the commands about areas and attributes share: private to
- * roms/commands/areas*.c. */
+ * roms/commands/areas*.c.
+ *
+ *      areas.c ──words──▶ areas_fill.c areas_seed.c areas_lines.c areas_text.c
+ *
+ * Models:     a command a function, as the table in areas.c names it; points and their extent.
+ * Units:      pixels.
+ * Ownership:  plain values; what is drawn is kept in static storage until the next command.
+ * Errors:     false, with a sentence in the words (roms/monitor/words.h).
+ */
 #ifndef ROMS_COMMANDS_AREAS_H
 #define ROMS_COMMANDS_AREAS_H
 

@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "roms/bsp/console.h"
 #include "roms/clip/edge.h"
 #include "roms/clip/sutherland_hodgman.h"
 #include "roms/clip/text.h"
@@ -10,6 +9,7 @@
 #include "roms/commands/clip_picture.h"
 #include "roms/commands/flat_words.h"
 #include "roms/monitor/print.h"
+#include "roms/monitor/stepper.h"
 #include "roms/raster/font.h"
 
 /* ---- points ---------------------------------------------------------------------------------- */
@@ -112,7 +112,9 @@ bool clip_polygon_command(struct monitor *m, struct words *w)
         !words_end(w))
         return false;
     bool stepping = m->steps;
+    unsigned number = 0;
     for (sutherland_hodgman_begin(&s, &window, p, count); sutherland_hodgman_next(&s);) {
+        number++;
         pass_words(&s, caption, sizeof caption);
         if (m->table) {
             printf("%s: ", caption);
@@ -120,8 +122,7 @@ bool clip_polygon_command(struct monitor *m, struct words *w)
         }
         if (stepping) {
             show_polygon(m, &s, p, count, caption);
-            int c = console_get();
-            stepping = c != 'r' && c != CONSOLE_EOF;
+            stepping = step_ask(m, number);
         }
     }
     snprintf(caption, sizeof caption, "%d corners, of which %d are left", count, s.count);

@@ -1,13 +1,13 @@
 /* clip_lines.c — lines clipped by region codes and by their parameter. */
 #include <stdio.h>
 
-#include "roms/bsp/console.h"
 #include "roms/clip/cohen_sutherland.h"
 #include "roms/clip/liang_barsky.h"
 #include "roms/commands/clip_parts.h"
 #include "roms/commands/clip_picture.h"
 #include "roms/commands/flat_words.h"
 #include "roms/monitor/print.h"
+#include "roms/monitor/stepper.h"
 
 /* A line that is being clipped. */
 struct job {
@@ -107,8 +107,7 @@ bool clip_cohen_sutherland_command(struct monitor *m, struct words *w)
         if (stepping) {
             cut_words(&k, caption, sizeof caption);
             show(m, &j, true, k.end[0], k.end[1], title, caption);
-            int c = console_get();
-            stepping = c != 'r' && c != CONSOLE_EOF;
+            stepping = step_ask(m, (unsigned)cuts);
         }
     } while (cohen_sutherland_next(&k));
     cut_words(&k, caption, sizeof caption);

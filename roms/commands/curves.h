@@ -3,8 +3,7 @@
  *      words ──▶ curves_take_... ──▶ points, splines ──▶ curves_print_...
  *                                                 └──▶ curves_frame, curves_draw_... ──▶ stage
  *
- * Models:     splines by their names;
- *             figures as the course writes them: as many decimals as they need, at most five.
+ * Models:     splines by their names; figures: as many decimals as they need, at most five.
  * Units:      world: the user's; coordinates within ±WORDS_FARTHEST.
  * Ownership:  plain values.
  * Errors:     curves_take_... return false after words_refuse.

@@ -1,6 +1,6 @@
 /* flat_words.h — what the commands of the plane take and print alike.
  *
- * Models:     windows as words; figures as the course writes them.
+ * Models:     windows as words; figures as short as they are exact.
  * Domain:     coordinates within ±WORDS_FARTHEST, so that single precision keeps five figures and
  *             nothing overflows.
  * Ownership:  plain values.

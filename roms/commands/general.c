@@ -11,7 +11,7 @@
 static void list(const struct command *c, void *ctx)
 {
     (void)ctx;
-    printf("  %-10s %s\n", c->name, c->what);
+    printf("  %-13s %s\n", c->name, c->what);
 }
 
 static bool help(struct monitor *m, struct words *w)
@@ -25,6 +25,9 @@ static bool help(struct monitor *m, struct words *w)
     const struct command *c = command_find(words_peek(w));
     if (c == NULL)
         return words_refuse(w, "there is no command \"%.40s\"", words_peek(w));
+    words_take(w, c->name);
+    if (!words_end(w))
+        return false;
     printf("%s %s\n  %s\n", c->name, c->form, c->what);
     return true;
 }
@@ -55,6 +58,7 @@ static bool lesson(struct monitor *m, struct words *w)
         if (words_take(w, lessons[i]->name)) {
             if (!words_end(w))
                 return false;
+            m->left_lesson = true;
             lesson_run(m, lessons[i]);
             return true;
         }

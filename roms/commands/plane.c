@@ -56,7 +56,7 @@ static bool transform(struct monitor *m, struct words *w)
         plane_figure_print(&before, &after);
     stage_begin(&m->stage);
     plane_picture_both(m, &before, &after);
-    stage_title(&m->stage, "Transformation of the plane: before (blue) and after");
+    stage_title(&m->stage, "Transformation of the plane: before (cyan) and after");
     caption(m, &ops, inverse);
     stage_end(&m->stage);
     return true;

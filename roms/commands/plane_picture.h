@@ -1,6 +1,6 @@
 /* plane_picture.h — figures before and after a transformation, on axes.
  *
- * Models:     the figure before in cyan, after in yellow, filled where the head can; corners are
+ * Models:     the figure before in cyan, after in orange, filled where the head can; corners are
  *             lettered.
  * Units:      world, by a graph (roms/stage/graph.h).
  * Ownership:  plain values.
@@ -32,7 +32,7 @@ void plane_figure_print(const struct plane_figure *before, const struct plane_fi
 /* Its outline, the area if `filled`, and the corners' letters with a mark behind them. */
 void plane_picture_figure(const struct graph *g, const struct plane_figure *f, enum ink ink,
                           bool filled, const char *mark);
-/* Both, on axes over a part of the stage from `left` on. */
+/* Both, on axes over the whole picture. */
 void plane_picture_both(struct monitor *m, const struct plane_figure *before,
                         const struct plane_figure *after);
 void plane_picture_rectangle(const struct graph *g, const struct clip_window *w, enum ink ink);

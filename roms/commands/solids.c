@@ -99,7 +99,7 @@ static bool take_shape(struct words *w, int which, struct shape *s)
     return words_end(w);
 }
 
-/* The text's five vertices: a triangle and a quadrilateral that share E3. */
+/* Five vertices: a triangle and a quadrilateral that share E3. */
 static bool make_pair(struct object *o)
 {
     static const struct point2 at[] = {

@@ -16,7 +16,7 @@ struct request {
     struct space_points before, after;
 };
 
-/* The cube's corners, in the order of the course's table. */
+/* The unit cube: the corners at y = 1 from x = 0, z = 1 round, then those below them. */
 static const struct space_points cube = {
     {{0, 1, 1}, {0, 1, 0}, {1, 1, 0}, {1, 1, 1}, {0, 0, 1}, {0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, 8};
 

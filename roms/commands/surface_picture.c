@@ -78,8 +78,8 @@ static void draw_lines(const struct canvas *c, const struct scene *scene)
 void surface_draw(const struct scene *scene, enum surface_method method, int picture)
 {
     struct canvas c = picture_canvas(picture);
-    struct depth_buffer depth = lesson_depth(&c);
     canvas_clear(&c, INK_BLACK);
+    struct depth_buffer depth = lesson_depth(&c);
     switch (method) {
     case METHOD_DEPTH_BUFFER:
     case METHOD_FROM_0:

@@ -1,4 +1,5 @@
 /* surfaces.c — visible surfaces: back faces, and pictures by each method. */
+#include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,6 +1,9 @@
 /* areas.h — the scenes of the lesson about areas; private to roms/lessons/areas*.c.
  *
- * Each draws the whole picture for so many seconds after it began.
+ * Models:     each draws the whole picture for so many seconds after it began.
+ * Units:      seconds; stage units.
+ * Ownership:  nothing is kept but what the seconds tell.
+ * Errors:     none; without a head nothing is shown.
  */
 #ifndef ROMS_LESSONS_AREAS_H
 #define ROMS_LESSONS_AREAS_H

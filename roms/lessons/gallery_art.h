@@ -1,6 +1,9 @@
 /* gallery_art.h — the works of the art program; private to roms/lessons/gallery_art*.c.
  *
- * Each draws the whole picture for so many seconds after it began.
+ * Models:     each draws the whole picture for so many seconds after it began.
+ * Units:      seconds; stage units; colours: pixel values (roms/stage/ink.h).
+ * Ownership:  nothing is kept but what the seconds tell.
+ * Errors:     none; without a head nothing is shown.
  */
 #ifndef ROMS_LESSONS_GALLERY_ART_H
 #define ROMS_LESSONS_GALLERY_ART_H

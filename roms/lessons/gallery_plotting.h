@@ -1,6 +1,10 @@
 /* gallery_plotting.h — the charts of the plotting program; private to gallery_plotting*.c.
  *
- * Each draws the whole picture, of data that it computes, for so many seconds after it began.
+ * Models:     each draws the whole picture, of data that it computes, for so many seconds after it
+ *             began.
+ * Units:      seconds; stage units; widths: pixels.
+ * Ownership:  nothing is kept but what the seconds tell.
+ * Errors:     none; without a head nothing is shown.
  */
 #ifndef ROMS_LESSONS_GALLERY_PLOTTING_H
 #define ROMS_LESSONS_GALLERY_PLOTTING_H

@@ -1,4 +1,9 @@
-/* key.h — keys as lessons and the monitor get them: characters, and these. */
+/* key.h — keys as lessons and the monitor get them: characters, and these.
+ *
+ * Models:     a key as a number: below 0x100 the character, from there on keys that have none.
+ * Ownership:  plain values.
+ * Errors:     none.
+ */
 #ifndef ROMS_LESSONS_KEY_H
 #define ROMS_LESSONS_KEY_H
 

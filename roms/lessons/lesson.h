@@ -1,4 +1,4 @@
-/* lesson.h — a chapter of the course as a picture that moves and can be steered.
+/* lesson.h — a chapter of computer graphics as a picture that moves and can be steered.
  *
  *      lesson_run: ──key──▶ lesson.key        ┌──▶ title, picture, caption on both heads (stage.h)
  *                  ──time─▶ lesson.draw ──────┘
@@ -32,7 +32,7 @@ struct lesson {
     float (*draw)(void *state, struct stage *stage, float seconds);
 };
 
-/* Chapters in the order of the course, then the gallery; lessons.c. Ends with NULL. */
+/* Chapters, each upon those before it, then the gallery; lessons.c. Ends with NULL. */
 extern const struct lesson *const lessons[];
 
 #endif

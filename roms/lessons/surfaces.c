@@ -171,7 +171,7 @@ static void draw_depth(struct surfaces *s, struct stage *stage, float seconds)
     struct range range = depths(&workroom()->scene);
     float height = MIDDLE + 10 + 150 * sinf(0.8f * seconds);
     by_depth(stage, -1e9f, LEFT);
-    if (stage->canvas.width > 0) {
+    if (lesson_depth(&stage->canvas).width > 0) {
         show_buffer(stage, range);
         stage_heads(stage, STAGE_VECTOR);
         stage_ink(stage, INK_BRIGHT);

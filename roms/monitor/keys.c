@@ -11,6 +11,9 @@
 
 enum { PATIENCE = TIMER_HZ / 50, DELETE = 127 };
 
+/* The last byte was the end of input. */
+static bool ended;
+
 static volatile uint8_t *uart(uint32_t offset)
 {
     return (volatile uint8_t *)(MAP_UART + offset);
@@ -56,6 +59,8 @@ static int byte_by(uint64_t until)
 {
     for (;;) {
         int c = console_poll();
+        if (c >= 0)
+            ended = c == KEYS_INPUT_END;
         if (c >= 0 || timer_now() >= until)
             return c;
         doze(until);
@@ -66,7 +71,7 @@ static int byte_by(uint64_t until)
 static int sequence(void)
 {
     int c = byte_by(timer_now() + PATIENCE);
-    if (c < 0)
+    if (c < 0 || c == KEYS_INPUT_END) /* that is told next */
         return KEYS_ESCAPE;
     if (c != '[' && c != 'O')
         return KEY_OTHER;
@@ -91,9 +96,8 @@ static int sequence(void)
     }
 }
 
-int keys_next(uint64_t until)
+static int key_of(int c)
 {
-    int c = byte_by(until);
     switch (c) {
     case -1:
         return KEYS_NONE;
@@ -106,4 +110,19 @@ int keys_next(uint64_t until)
     default:
         return c;
     }
+}
+
+int keys_next(uint64_t until)
+{
+    int key = key_of(byte_by(ended ? 0 : until));
+    return key == KEYS_NONE && ended ? KEYS_INPUT_END : key;
+}
+
+int keys_typed(uint64_t until)
+{
+    int c;
+    do
+        c = byte_by(until);
+    while (c == KEYS_INPUT_END);
+    return key_of(c);
 }

@@ -5,7 +5,8 @@
  * Models:     a terminal's keyboard: characters, and the sequences of ECMA-48 for cursor keys.
  * Time:       ticks of the timer (roms/bsp/timer.h). An ESC that nothing follows within 20 ms is the
  *             Escape key.
- * Ownership:  plain value.
+ * Ownership:  static: whether the last byte was the end of input. From then on keys_next tells it again
+ *             and again, whoever has seen it first; a byte that comes behind it is a key like any other.
  * Errors:     none; sequences that are not known are KEY_OTHER.
  */
 #ifndef ROMS_MONITOR_KEYS_H
@@ -24,7 +25,10 @@ enum {
 };
 #define KEYS_FOREVER UINT64_MAX
 
-/* The next key, or KEYS_NONE when none has come by that time. */
+/* The next key, or KEYS_NONE when none has come by that time; at the end of input KEYS_INPUT_END, at
+ * once. */
 int keys_next(uint64_t until);
+/* The same for a picture that stays while nobody types any more: the end is no key, and time goes by. */
+int keys_typed(uint64_t until);
 
 #endif

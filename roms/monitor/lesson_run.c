@@ -36,10 +36,11 @@ void lesson_run(struct monitor *m, const struct lesson *lesson)
     prompt(&m->stage, lesson);
     lesson->begin(lesson->state);
     for (;;) {
-        int key = keys_next(draw(m, lesson, start));
-        if (key == 'q' || key == KEYS_ESCAPE || (key == KEYS_INPUT_END && !runs_on()))
+        uint64_t again = draw(m, lesson, start);
+        int key = runs_on() ? keys_typed(again) : keys_next(again);
+        if (key == 'q' || key == KEYS_ESCAPE || key == KEYS_INPUT_END)
             return;
-        if (key != KEYS_NONE && key != KEYS_INPUT_END)
+        if (key != KEYS_NONE)
             lesson->key(lesson->state, key);
     }
 }

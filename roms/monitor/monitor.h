@@ -19,8 +19,9 @@
 
 struct monitor {
     struct stage stage;
-    bool table; /* print the working */
-    bool steps; /* scan conversions go one decision at a time */
+    bool table;       /* print the working */
+    bool steps;       /* scan conversions go one decision at a time */
+    bool left_lesson; /* a command has run a lesson: its picture is not the command's */
 };
 
 #endif

@@ -1,4 +1,4 @@
-/* print.h — numbers, points and matrices on the console, as the course writes them.
+/* print.h — numbers, points and matrices on the console.
  *
  * Models:     four decimals, and no minus before a zero. Of what commands print, a sentence begins
  *             with a capital and ends with a full stop; figures and what is said of them do neither.

@@ -101,14 +101,14 @@ static void show(struct monitor *m, struct scan *scan, const struct step *now)
     stage_end(&m->stage);
 }
 
-/* After a decision in step mode: true: the next one; false: the rest at once. */
-static bool ask(struct monitor *m, unsigned number)
+bool step_ask(struct monitor *m, unsigned number)
 {
+    bool looked_at = board_has_raster_head() || board_has_vector_head();
     char text[STAGE_PROMPT + 1];
     snprintf(text, sizeof text, "step %u   space next   r the rest", number);
     stage_prompt(&m->stage, text);
     for (;;) {
-        switch (keys_next(KEYS_FOREVER)) {
+        switch (looked_at ? keys_typed(KEYS_FOREVER) : keys_next(KEYS_FOREVER)) {
         case ' ':
         case 'n':
         case KEYS_ENTER:
@@ -117,11 +117,8 @@ static bool ask(struct monitor *m, unsigned number)
         case 'r':
         case 'q':
         case KEYS_ESCAPE:
+        case KEYS_INPUT_END:
             return false;
-        case KEYS_INPUT_END: /* where there is a head somebody may look on */
-            if (!board_has_raster_head() && !board_has_vector_head())
-                return false;
-            break;
         default:
             break;
         }
@@ -142,7 +139,7 @@ void scan_run(struct monitor *m, const struct stepper *stepper)
         show(m, &scan, &now);
         if (!m->table && now.decision[0] != '\0')
             printf("%s\n", now.decision);
-        stepping = ask(m, number);
+        stepping = step_ask(m, number);
     }
     show(m, &scan, NULL);
 }

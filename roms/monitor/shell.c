@@ -1,7 +1,5 @@
 #include "roms/monitor/shell.h"
 
-#include <string.h>
-
 #include "roms/monitor/command.h"
 #include "roms/monitor/editor.h"
 #include "roms/monitor/keys.h"
@@ -70,9 +68,9 @@ static void run_command(struct shell *s)
 {
     struct stage *stage = &s->monitor->stage;
     unsigned pictures = stage->pictures, lines = transcript_count();
-    bool lesson = strncmp(s->editor.line, "lesson", 6) == 0;
+    s->monitor->left_lesson = false;
     command_line(s->monitor, s->editor.line);
-    if (lesson && stage->pictures != pictures)
+    if (s->monitor->left_lesson)
         draw_menu(s);
     else if (stage->pictures != pictures)
         s->page = PAGE_PICTURE;

@@ -52,6 +52,10 @@ struct stepper {
     const char *caption; /* under the finished picture; may be NULL */
 };
 
+/* After a step in step mode, for those who show their steps themselves: waits for a key; true: the
+ * next one, false: the rest at once. At the end of input a picture that somebody may look at stays. */
+bool step_ask(struct monitor *monitor, unsigned number);
+
 /* Runs it: to the end, or key by key in step mode. Prints its rows when the table is on. */
 void scan_run(struct monitor *monitor, const struct stepper *stepper);
 

@@ -11,7 +11,7 @@
  *             everything and keeps nothing.
  * Source:     J. E. Bresenham, IBM Systems Journal 4 (1965) 25, for lines (line_bresenham.h);
  *             ellipses row by row from their equation.
- * Not modelled: polygons, clipping to windows, antialiasing, pixels of 24 bits.
+ * Not modelled: pixels of 24 bits. Polygons, fills, antialiased and dashed lines have headers of their own.
  */
 #ifndef ROMS_RASTER_CANVAS_H
 #define ROMS_RASTER_CANVAS_H

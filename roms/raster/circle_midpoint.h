@@ -10,7 +10,7 @@
  *             when plotting. The last pixel may lie past the octant (x = y + 1): it is the image of
  *             the one before.
  * Cost:       a step, which lights 8 pixels: 1 comparison, 3 or 4 additions.
- * Domain:     0 ≤ r ≤ 2^28. Radius 0 is a pixel. No ties: r² − x² is not the square of
+ * Domain:     0 ≤ r ≤ CIRCLE_LARGEST. Radius 0 is a pixel. No ties: r² − x² is not the square of
  *             a whole number and a half.
  * Units:      pixels; round where pixels are square (canvas_round_dots, ellipse_midpoint.h where
  *             not).
@@ -27,7 +27,7 @@
 
 #include "roms/raster/canvas.h"
 
-enum { CIRCLE_LARGEST = 1 << 28 };
+enum { CIRCLE_LARGEST = 30000 };
 
 struct circle_midpoint {
     int x, y; /* the pixel of the first octant, after circle_midpoint_next */

@@ -1,7 +1,6 @@
 #include "roms/raster/line_dashed.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 static bool pattern_reaches(int v)
 {
@@ -12,20 +11,14 @@ static bool pattern_reaches(int v)
 void line_dashed_begin(struct line_dashed *l, int x0, int y0, int x1, int y1,
                        const struct dash_pattern *pattern, struct dash_phase *phase)
 {
-    *l = (struct line_dashed){.pattern = pattern, .phase = phase, .x = x0, .y = y0};
+    *l = (struct line_dashed){.pattern = pattern, .phase = phase};
     if (!pattern_reaches(x0) || !pattern_reaches(y0) || !pattern_reaches(x1) ||
         !pattern_reaches(y1))
         return;
-    l->dx = abs(x1 - x0);
-    l->dy = abs(y1 - y0);
-    l->step_x = x0 < x1 ? 1 : -1;
-    l->step_y = y0 < y1 ? 1 : -1;
-    l->error = l->dx - l->dy;
-    int longer = l->dx > l->dy ? l->dx : l->dy;
-    l->left = longer + 1;
-    float dx = (float)l->dx, dy = (float)l->dy;
+    line_bresenham_begin(&l->pixels, x0, y0, x1, y1);
+    float dx = (float)(x1 - x0), dy = (float)(y1 - y0), longer = (float)l->pixels.last;
     if (longer > 0)
-        l->advance = (int32_t)(sqrtf(dx * dx + dy * dy) / (float)longer * 65536 + 0.5f);
+        l->advance = (int32_t)(sqrtf(dx * dx + dy * dy) / longer * 65536 + 0.5f);
 }
 
 void canvas_line_dashed(const struct canvas *c, int x0, int y0, int x1, int y1,

@@ -4,7 +4,7 @@
  *                     ┃        line, whatever its slope; what is left of a dash at a corner
  *                     ╹        is drawn behind it
  *
- * Models:     Bresenham's pixels, each on or off by its distance from where the pattern began.
+ * Models:     the pixels of line_bresenham.h, each on or off by its distance from where the pattern began.
  * Cost:       about 35 instructions a pixel, and those of canvas_dot where it is on.
  * Domain:     coordinates of at most 30000; lengths 1…255.
  * Units:      pixels of the canvas.
@@ -19,6 +19,7 @@
 #include <stdint.h>
 
 #include "roms/raster/canvas.h"
+#include "roms/raster/line_bresenham.h"
 
 enum { DASH_LENGTHS = 8 };
 
@@ -37,9 +38,8 @@ struct dash_phase {
 struct line_dashed {
     const struct dash_pattern *pattern;
     struct dash_phase *phase;
-    int x, y, step_x, step_y; /* the pixel that comes next */
-    int dx, dy, error, left;  /* Bresenham's; pixels left */
-    int32_t advance;          /* distance of neighbours, 16 bits behind the point */
+    struct line_bresenham pixels;
+    int32_t advance; /* distance of neighbours, 16 bits behind the point */
 };
 
 void line_dashed_begin(struct line_dashed *line, int x0, int y0, int x1, int y1,
@@ -53,23 +53,12 @@ static inline bool line_dashed_on(const struct line_dashed *l)
 /* The next pixel, and whether it is on. Both ends are pixels; the phase is that of the last one. */
 static inline bool line_dashed_next(struct line_dashed *l, int *x, int *y, bool *on)
 {
-    if (l->left == 0)
+    if (!line_bresenham_next(&l->pixels))
         return false;
-    *x = l->x;
-    *y = l->y;
+    *x = l->pixels.x;
+    *y = l->pixels.y;
     *on = line_dashed_on(l);
-    if (--l->left == 0)
-        return true;
-    int twice = 2 * l->error;
-    if (twice > -l->dy) {
-        l->error -= l->dy;
-        l->x += l->step_x;
-    }
-    if (twice < l->dx) {
-        l->error += l->dx;
-        l->y += l->step_y;
-    }
-    if (l->pattern->count == 0)
+    if (l->pixels.k == l->pixels.last || l->pattern->count == 0)
         return true;
     l->phase->gone += l->advance;
     while (l->phase->gone >= l->pattern->length[l->phase->which] << 16) {

@@ -1,6 +1,6 @@
 /* workroom.h — the present object, named scenes, and rooms to work in: for lessons and commands.
  *
- *      object   what `object` made last        two      two polygons that overlap, as in the text
+ *      object   what `object` made last        two      two polygons that overlap
  *      solids   box, ball, ring, column        cycle    three bars, each over the next
  *                                              pierce   polygons through one another
  *

@@ -6,7 +6,7 @@
  *      4  every polygon has at least one shared edge            S6 shares no edge
  *      5  pointers between edges and polygons are reciprocal    E5 points to S4, which lacks it
  *
- * Models:     the course's guidelines; what is part of a polygon is what the polygon table says.
+ * Models:     five guidelines; what is part of a polygon is what the polygon table says.
  * Cost:       about 175 instructions a side.
  * Domain:     any tables whose indices are within them.
  * Units:      none.

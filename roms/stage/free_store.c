@@ -3,12 +3,6 @@
 #include <assert.h>
 #include <string.h>
 
-void free_store_begin(struct free_store *store, uint32_t at, uint32_t size)
-{
-    store->hole[0] = (struct extent){at, size};
-    store->holes = size > 0;
-}
-
 static void remove_hole(struct free_store *store, int i)
 {
     store->holes--;

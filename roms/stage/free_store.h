@@ -9,7 +9,7 @@
  * Cost:       taking and giving: a search through the holes.
  * Domain:     at most FREE_STORE_HOLES holes: one more than blocks that are taken.
  * Units:      the caller's: bytes, words.
- * Ownership:  plain value.
+ * Ownership:  plain value; without holes nothing is free, and what is given is.
  * Errors:     taking what is not free: false, and nothing changes.
  * Source:     D. E. Knuth, The Art of Computer Programming 1 (1968), section 2.5.
  * Not modelled: who has taken a block, and how long it is: the caller knows.
@@ -31,8 +31,6 @@ struct free_store {
     int holes;
 };
 
-/* All of it is free. */
-void free_store_begin(struct free_store *store, uint32_t at, uint32_t size);
 /* Takes the first part of the hole that begins there. */
 bool free_store_take(struct free_store *store, uint32_t at, uint32_t size);
 /* Gives back what was taken. */

@@ -11,7 +11,7 @@
  * Errors:     none; intensities beyond 0…1 are moved to the end.
  * Source:     chosen for this project. Entries of ramps undo a tube's power law of 2.4 (estimate; tubes
  *             differ), so that equal steps of intensity are equal steps of luminance.
- * Not modelled: pixels of fewer bits: light/dither.h shows what remains there.
+ * Not modelled: pixels of fewer bits: raster/dither.h shows what remains there.
  */
 #ifndef ROMS_STAGE_INK_H
 #define ROMS_STAGE_INK_H

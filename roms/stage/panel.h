@@ -14,8 +14,6 @@
 #ifndef ROMS_STAGE_PANEL_H
 #define ROMS_STAGE_PANEL_H
 
-#include "roms/geometry/matrix3.h"
-#include "roms/geometry/matrix4.h"
 #include "roms/stage/stage.h"
 
 enum { PANEL_COLUMNS = 72 };
@@ -36,11 +34,5 @@ struct panel panel_open(struct stage *stage, float left, float top, int columns,
                         const char *heading);
 /* The next line, in this ink. */
 void panel_line(struct panel *panel, enum ink ink, const char *text);
-/* … as printf makes it. */
-void panel_print(struct panel *panel, enum ink ink, const char *format, ...)
-    __attribute__((format(printf, 3, 4)));
-/* A row a line, `decimals` behind the point. */
-void panel_matrix3(struct panel *panel, enum ink ink, const struct matrix3 *m, int decimals);
-void panel_matrix4(struct panel *panel, enum ink ink, const struct matrix4 *m, int decimals);
 
 #endif

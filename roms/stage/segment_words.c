@@ -42,6 +42,13 @@ static uint32_t next_of(const struct segments *s, int i)
 
 /* ---- memory that is left --------------------------------------------------------------------- */
 
+/* What is above the store's memory was another's: it is waited for, but is not free. */
+static void give(struct segments *s, struct extent left)
+{
+    uint32_t end = left.at + left.size;
+    free_store_give(&s->free, left.at, (end < s->high ? end : s->high) - left.at);
+}
+
 /* No jump of the chain leads into these any more, but they may lead into each other: they are free
  * together, at a moment when the display processor is in none of them. */
 void segments_release(struct segments *s)
@@ -51,7 +58,7 @@ void segments_release(struct segments *s)
         if (pc >= s->leaving[i].at && pc < s->leaving[i].at + s->leaving[i].size)
             return;
     for (int i = 0; i < s->leaving_count; i++)
-        free_store_give(&s->free, s->leaving[i].at, s->leaving[i].size);
+        give(s, s->leaving[i]);
     s->leaving_count = 0;
 }
 
@@ -215,7 +222,8 @@ void segments_compact(struct segments *s)
 /* ---- taking display memory ------------------------------------------------------------------- */
 
 /* The last picture may still lead here: to the end, which is always the same words at the same
- * place. */
+ * place. The display processor may be in any segment of the store that had the memory before, and
+ * that one's jumps lead on through all of them. */
 static void clear(struct segments *s)
 {
     volatile uint16_t *end = dpu_memory() + end_of(s) / 2, *root = dpu_memory() + s->low / 2;
@@ -227,7 +235,7 @@ static void clear(struct segments *s)
     root[1] = (uint16_t)end_of(s);
     root[0] = DF_JUMP;
     s->free.holes = 0;
-    s->leaving[0] = (struct extent){s->low + FIXED_BYTES, s->high - s->low - FIXED_BYTES};
+    s->leaving[0] = (struct extent){s->low + FIXED_BYTES, STAGE_FREE_HIGH - s->low - FIXED_BYTES};
     s->leaving_count = 1;
 }
 

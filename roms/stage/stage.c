@@ -14,6 +14,7 @@
 static const struct video_timing vga = {25175000, 640, 656, 752, 800, 480, 490, 492, 525, 0};
 
 enum {
+    PATIENCE = 4000000,                 /* looks at the display processor: half a second */
     MESSAGE_BYTES = 64,                 /* kept in a part for saying that it is full */
     TITLE_ROWS = 2 * FONT_HEIGHT,       /* above the picture, of a screen of 480 rows */
     CAPTION_ROWS = 4 * FONT_HEIGHT + 4, /* below, with the prompt */
@@ -83,11 +84,16 @@ static void wait_for_page(const struct stage *stage)
         video_wait_retrace(); /* at once without a head, or while it is off */
 }
 
-/* The display processor has left the part, which nothing leads to any more. */
+static bool is_in_part(int number)
+{
+    return dpu_pc() - part(number) < STAGE_PART_BYTES;
+}
+
+/* The display processor has left the part, which nothing leads to any more: a refresh at most; for
+ * ever if somebody has stopped it there: then it is written all the same. */
 static void wait_for_part(int number)
 {
-    uint32_t low = part(number);
-    while (board_has_vector_head() && dpu_pc() >= low && dpu_pc() < low + STAGE_PART_BYTES)
+    for (int i = 0; i < PATIENCE && board_has_vector_head() && is_in_part(number); i++)
         ;
 }
 
@@ -106,11 +112,6 @@ void stage_begin(struct stage *stage)
     stage_line_type(stage, STAGE_SOLID);
     stage_hatch(stage, 0, 0);
     stage_ink(stage, INK_TEXT);
-}
-
-bool stage_full(const struct stage *stage)
-{
-    return stage->full || stage->display.full;
 }
 
 /* In both pictures. */

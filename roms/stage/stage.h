@@ -16,8 +16,9 @@
  * Ownership:  plain value, one for the program; it has the whole refresh buffer, the look-up table
  *             and display memory.
  * Errors:     a head that is not there takes everything and keeps nothing. Words that do not fit
- *             into display memory are left out; stage_full tells, and so does the picture. Places
- *             that are not finite, or beyond a million, are left out.
+ *             into display memory are left out; `full` tells, and so does the picture. Places
+ *             that are not finite, or beyond a million, are left out. A display processor that
+ *             stands still in the part that comes next is waited for half a second, once a picture.
  * Not modelled: areas on the vector head: their outline is drawn, hatched when asked. Display
  *             memory of less than 64 KiB; tubes of fewer than 1024 units up (VR14 cuts the title).
  */
@@ -62,6 +63,7 @@ struct stage {
     unsigned heads;         /* those that the primitives go to, STAGE_… */
     enum ink ink;
     unsigned pictures; /* that were shown */
+    bool full;         /* words were left out of the last one */
     enum stage_line_type line_type;
     float hatch_degrees, hatch_apart; /* of areas on the vector head; 0 apart: none */
     /* Private. */
@@ -75,7 +77,6 @@ struct stage {
     char prompted[STAGE_PROMPT + 1];
     int page_shown, part_shown;
     uint32_t flipped;       /* retraces when the page was given */
-    bool full;              /* the last picture */
     const void *tenant;     /* whose display files are in STAGE_FREE_LOW… */
     int intensity, type;    /* as the words before have them; -1: not known */
     struct point2 dash_end; /* of the broken line before, which the next may go on with */
@@ -88,8 +89,6 @@ void stage_open(struct stage *stage);
  * that one is on the screen. */
 void stage_begin(struct stage *stage);
 void stage_end(struct stage *stage);
-/* Words were left out of this picture, or, after stage_end, of the last one. */
-bool stage_full(const struct stage *stage);
 
 /* After the picture, in each refresh, the display processor goes through the display file at this
  * address, within STAGE_FREE_LOW…, which must end with a jump to 0. stage_begin: none. */

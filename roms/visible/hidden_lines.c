@@ -74,7 +74,21 @@ static bool hidden_by(const struct scene *scene, const struct surface *s, struct
     return true;
 }
 
-/* Adds a hidden part to the ordered list, joining those that it meets. */
+/* Joins the two neighbours that are nearest to each other: what lies between them is hidden, too. */
+static void join_nearest(struct hidden_lines *h)
+{
+    int nearest = 1;
+    for (int i = 2; i < h->parts; i++)
+        if (h->hidden[i].from - h->hidden[i - 1].to <
+            h->hidden[nearest].from - h->hidden[nearest - 1].to)
+            nearest = i;
+    h->hidden[nearest - 1].to = h->hidden[nearest].to;
+    h->parts--;
+    for (int i = nearest; i < h->parts; i++)
+        h->hidden[i] = h->hidden[i + 1];
+}
+
+/* Adds a hidden part to the ordered list, joining those that it meets. There is room for one. */
 static void add_hidden(struct hidden_lines *h, float from, float to)
 {
     int first = 0, last;
@@ -85,11 +99,6 @@ static void add_hidden(struct hidden_lines *h, float from, float to)
         to = h->hidden[last].to > to ? h->hidden[last].to : to;
     }
     int gone = last - first;
-    if (gone == 0 && h->parts == HIDDEN_PARTS) {
-        h->hidden[HIDDEN_PARTS - 1].from = fminf(from, h->hidden[HIDDEN_PARTS - 1].from);
-        h->hidden[HIDDEN_PARTS - 1].to = fmaxf(to, h->hidden[HIDDEN_PARTS - 1].to);
-        return;
-    }
     if (gone == 0)
         for (int i = h->parts; i > first; i--)
             h->hidden[i] = h->hidden[i - 1];
@@ -98,6 +107,8 @@ static void add_hidden(struct hidden_lines *h, float from, float to)
     h->parts += 1 - gone;
     h->hidden[first].from = from;
     h->hidden[first].to = to;
+    if (h->parts > HIDDEN_PARTS)
+        join_nearest(h);
 }
 
 /* All that hides an edge. */

@@ -13,8 +13,8 @@
  *             a twentieth of a unit count as touching.
  * Units:      the scene's, which should be about a dot.
  * Ownership:  the state is the caller's (about 35 KB); the scene must outlive it.
- * Errors:     none. An edge with more than HIDDEN_PARTS hidden parts: what lies between the last
- *             ones counts as hidden.
+ * Errors:     none. An edge with more than HIDDEN_PARTS hidden parts: what lies between the two that
+ *             are nearest to each other counts as hidden.
  * Source:     L. G. Roberts, Machine Perception of Three-Dimensional Solids (1963), for lines
  *             against solids; the bounds as in M. Cyrus, J. Beck, Computers & Graphics 3 (1978) 23.
  * Not modelled: the lines in which surfaces pierce each other.
@@ -47,7 +47,7 @@ struct hidden_lines {
     float at;
     struct {
         float from, to;
-    } hidden[HIDDEN_PARTS]; /* of the edge, in order, apart */
+    } hidden[HIDDEN_PARTS + 1]; /* of the edge, in order, apart; and one that is too many */
     struct {
         float x0, x1, y0, y1, z1;
     } extent[SCENE_SURFACES];

@@ -1,5 +1,5 @@
 #!/bin/sh
-# kinescope calc: the examples of the course notes, their numbers as JSON, what bad input is told.
+# kinescope calc: examples worked by hand, their numbers as JSON, what bad input is told.
 # Needs $KINESCOPE and $TEST_OUT; prints TAP.
 set -u
 . "$(dirname "$0")/../support/tap.sh"
@@ -35,7 +35,7 @@ refused() {
     report $? "$name"
 }
 
-# ---- the course's examples ----------------------------------------------------------------------
+# ---- examples worked by hand ---------------------------------------------------------------------
 says "96 kHz, 1024 lines" "= 89\.06 Hz; rounded down 89 Hz" refresh --line-rate 96kHz --lines 1024
 says "96 kHz, 1200 lines" "= 76\.00 Hz; rounded down 76 Hz" refresh --line-rate 96kHz --lines 1200
 value "96 kHz, 1024 lines" refresh_hz 89.0625 refresh --line-rate 96000 --lines 1024 --overhead 0.05

@@ -310,7 +310,7 @@ late=$("$KINESCOPE" trace "$programs/../../roms/growing.df" --summary --for 1.5s
 check "summary counts the refreshes that miss the tick" grep -qE "[1-9][0-9]* of [0-9]+ refreshes exceed it, the first is number [0-9]+ at" "$work/summary"
 check "summary: none yet" [ "$late" -eq 0 ]
 
-# The course-notes question: 1000 instructions at 33.33 us each are 30 refreshes a second.
+# 1000 instructions at 33.33 us each are 30 refreshes a second.
 {
     echo "@0"
     echo 114000

@@ -86,7 +86,7 @@ static int lengths_changed(int cases)
     return bad;
 }
 
-/* The five steps of the course: to the origin, onto the x axis, reflect, and back. */
+/* In five steps: to the origin, onto the x axis, reflect, and back. */
 static int mirrors_not_in_steps(int cases)
 {
     int bad = 0;

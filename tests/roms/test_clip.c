@@ -237,7 +237,7 @@ static void inverted_windows_hold_nothing(void **state)
     }
 }
 
-/* ---- the course's examples ------------------------------------------------------------------- */
+/* ---- worked by hand -------------------------------------------------------------------------- */
 
 static void assert_point(struct point2 p, double x, double y)
 {

@@ -2,6 +2,7 @@
 # Every lesson: it is left by q, takes any keys in any order, and shows after two seconds what was looked at
 # and judged right: the refresh buffer's hash and the display file's, word by word, stand in
 # tests/golden/lessons.txt (make golden writes it anew). Needs $KINESCOPE and $TEST_OUT; prints TAP.
+# Lessons with a depth buffer also on a monitor that has more pixels than it.
 # --regenerate FILE writes that file.
 set -u
 work=$TEST_OUT/lessons
@@ -41,5 +42,20 @@ while read -r name; do
     [ $? -eq 9 ]
     report $? "$name: any keys, then q leaves it"
 done <"$work/names"
+# A monitor that cannot follow the lessons' mode, and stays at one with more pixels than the depth buffer.
+cat >"$work/large.ini" <<'EOF'
+[tube LARGE]
+like = GRILLE17
+mode = 1800x1350
+h_min = 60
+h_max = 130
+clock_max = 400
+EOF
+for name in solids surfaces shading visual cad; do
+    printf 'lesson %s\r1234567 n n n +qquit 9\r' "$name" | timeout 200 "$KINESCOPE" run --tubes "$work/large.ini" \
+        --tube LARGE --headless --console --for 100s >"$work/out" 2>"$work/said"
+    [ $? -eq 9 ]
+    report $? "$name: too many pixels for the depth buffer: it is left by q"
+done
 echo "1..$number"
 exit $failed

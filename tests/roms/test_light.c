@@ -1,6 +1,6 @@
 /* Light (roms/light): illumination against closed forms and against the model in double precision,
- * the series of fast Phong against the course's formulas and against what it approximates, what the
- * eye makes of steps. */
+ * the series of fast Phong against the terms of Taylor's series and against what it approximates,
+ * what the eye makes of steps. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -194,8 +194,8 @@ static void series_is_near_the_quotient(void **state)
     print_message("; %.3f times its third power\n", ratio);
 }
 
-/* T0…T5 as the course has them (its errors corrected), term by term in double precision. */
-static void terms_are_the_courses(void **state)
+/* T0…T5 of Taylor's series, term by term in double precision. */
+static void terms_are_those_of_the_series(void **state)
 {
     (void)state;
     rig.state = 14;
@@ -262,9 +262,12 @@ static void the_eye_overdoes_steps(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(powers_are_powers),           cmocka_unit_test(fresnel_has_its_limits),
-        cmocka_unit_test(illumination_is_the_models),  cmocka_unit_test(light_falls_with_distance),
-        cmocka_unit_test(series_is_near_the_quotient), cmocka_unit_test(terms_are_the_courses),
+        cmocka_unit_test(powers_are_powers),
+        cmocka_unit_test(fresnel_has_its_limits),
+        cmocka_unit_test(illumination_is_the_models),
+        cmocka_unit_test(light_falls_with_distance),
+        cmocka_unit_test(series_is_near_the_quotient),
+        cmocka_unit_test(terms_are_those_of_the_series),
         cmocka_unit_test(the_eye_overdoes_steps),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,5 @@
 /* Transformations of the plane and the viewing pipeline (roms/geometry, roms/clip) against their
- * definitions in double precision and the course's examples. The sources are compiled for this
+ * definitions in double precision and examples worked by hand. The sources are compiled for this
  * machine. */
 #include <math.h>
 #include <setjmp.h>
@@ -53,7 +53,7 @@ static void assert_same(const struct matrix3 *a, const struct matrix3 *b, double
             assert_true(fabs((double)a->at[i][k] - (double)b->at[i][k]) <= slack);
 }
 
-/* ---- the course's examples ------------------------------------------------------------------- */
+/* ---- worked by hand -------------------------------------------------------------------------- */
 
 static const struct point2 square[] = {{0, 0}, {2, 0}, {0, 2}, {2, 2}};
 

@@ -14,6 +14,7 @@
 #include "roms/clip/liang_barsky.c"
 #include "roms/raster/fill.c"
 #include "roms/raster/line_antialiased.c"
+#include "roms/raster/line_bresenham.c"
 #include "roms/raster/line_dashed.c"
 #include "roms/raster/line_thick.c"
 #include "roms/raster/polygon_fill.c"
@@ -182,17 +183,36 @@ static void blending_mixes_each_primary(void **state)
     }
 }
 
+/* Lines that leave the canvas, on one within a larger store: some of its pixels are lit, and what
+ * lies about it stays; lines that are no lines light nothing. */
 static void blended_lines_are_contained(void **state)
 {
     (void)state;
+    enum { INSET = 20 };
     for (unsigned bits = 16; bits <= 32; bits += 16) {
-        struct canvas c = canvas_of(bits);
+        struct canvas all = canvas_of(bits), c = all;
+        c.pixels += (unsigned)INSET * c.pitch + INSET * bits / 8;
+        c.width -= 2 * INSET;
+        c.height -= 2 * INSET;
         for (int i = 0; i < 2000; i++)
             canvas_line_blended(&c, random_within(-500, 500), random_within(-500, 500),
                                 random_within(-500, 500), random_within(-500, 500), 0xFFFF);
+        int lit = 0;
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++) {
+                bool within = x >= INSET && y >= INSET && x < WIDTH - INSET && y < HEIGHT - INSET;
+                bool is_lit = canvas_pixel(&all, x, y) != 0;
+                assert_true(within || !is_lit);
+                lit += is_lit;
+            }
+        assert_true(lit > c.width * c.height / 2);
+        canvas_clear(&all, 0);
         canvas_line_blended(&c, NAN, 0, 10, 10, 1);
         canvas_line_blended(&c, -INFINITY, 0, 10, 10, 1);
         canvas_line_blended(&c, 3e38f, 0, -3e38f, 10, 1);
+        for (int y = 0; y < HEIGHT; y++)
+            for (int x = 0; x < WIDTH; x++)
+                assert_int_equal(canvas_pixel(&all, x, y), 0);
     }
 }
 
@@ -237,6 +257,28 @@ static void dashes_go_on_around_corners(void **state)
         }
     }
     assert_true(checked > 1000000);
+}
+
+/* Dashed or solid, a line from the same end has the same pixels. */
+static void dashes_are_on_the_solid_lines_pixels(void **state)
+{
+    (void)state;
+    static const struct dash_pattern pattern = {{3, 2}, 2};
+    for (int y1 = -40; y1 <= 40; y1++)
+        for (int x1 = -40; x1 <= 40; x1++) {
+            struct dash_phase phase = {0};
+            struct line_dashed dashed;
+            struct line_bresenham solid;
+            int x = 0, y = 0;
+            bool on;
+            line_dashed_begin(&dashed, 0, 0, x1, y1, &pattern, &phase);
+            line_bresenham_begin(&solid, 0, 0, x1, y1);
+            while (line_bresenham_next(&solid)) {
+                assert_true(line_dashed_next(&dashed, &x, &y, &on));
+                assert_true(x == solid.x && y == solid.y);
+            }
+            assert_false(line_dashed_next(&dashed, &x, &y, &on));
+        }
 }
 
 static void dashes_outside_are_left_out(void **state)
@@ -379,6 +421,7 @@ int main(void)
         cmocka_unit_test(blending_mixes_each_primary),
         cmocka_unit_test(blended_lines_are_contained),
         cmocka_unit_test(dashes_go_on_around_corners),
+        cmocka_unit_test(dashes_are_on_the_solid_lines_pixels),
         cmocka_unit_test(dashes_outside_are_left_out),
         cmocka_unit_test(round_lines_are_what_is_near),
         cmocka_unit_test(ends_are_butt_or_square),

@@ -1,5 +1,5 @@
 /* Lines (roms/raster/line*): against exact whole-number arithmetic by another way, and against the
- * tables of the textbooks. The sources are compiled for this machine. */
+ * tables worked by hand. The sources are compiled for this machine. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -86,7 +86,7 @@ static int64_t check_line(const struct place *p, int count, int x0, int y0, int 
     return worst;
 }
 
-/* ---- the tables of the textbooks ------------------------------------------------------------- */
+/* ---- tables worked by hand ------------------------------------------------------------------- */
 
 static void assert_places(const struct place *p, int count, const int (*want)[2], int wanted)
 {

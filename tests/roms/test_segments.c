@@ -491,6 +491,40 @@ static void another_store_may_have_the_memory_meanwhile(void **state)
     assert_all(true);
 }
 
+/* The display processor stands in a segment above the memory of a smaller store that follows; its
+ * jump leads back into that memory. */
+static void another_store_waits_for_all_segments(void **state)
+{
+    (void)state;
+    enum { SMALL = 2000 };
+    static struct segments other;
+    static uint16_t before[DPU_BYTES / 2];
+    begin(SEGMENTS_BYTES_MOST, true, true);
+    for (int name = 1; name <= 60; name++) {
+        create(name);
+        for (int i = 0; i < 20; i++)
+            put_line();
+        close_open();
+    }
+    while (rig.pc <= store.low + 2 * SMALL)
+        rig_step();
+    rig.fetched = NULL;
+    rig.runs = false;
+    memcpy(before, rig.memory, sizeof before);
+    segments_begin(&other, &stage, SMALL);
+    assert_int_equal(segment_create(&other, 5), SEGMENT_OK);
+    const struct point2 line[] = {{100, 100}, {700, 500}};
+    assert_int_equal(segment_put(&other, SEGMENT_POLYLINE, line, 2), SEGMENT_OK);
+    assert_int_equal(segment_close(&other), SEGMENT_NO_ROOM);
+    assert_int_equal(free_store_total(&other.free), 0);
+    assert_memory_equal((uint8_t *)before + store.low + FIXED,
+                        (uint8_t *)rig.memory + store.low + FIXED, SEGMENTS_BYTES_MOST - FIXED);
+    rig.runs = true;
+    segments_settle(&other);
+    assert_int_equal(free_store_total(&other.free), SMALL - FIXED);
+    assert_int_equal(segment_close(&other), SEGMENT_OK);
+}
+
 /* Drawn anew where something changed, or all of it: the same pixels, on the page that is shown. */
 static void pixels_are_those_of_drawing_all(void **state)
 {
@@ -616,6 +650,7 @@ int main(void)
         cmocka_unit_test(compaction_makes_one_hole),
         cmocka_unit_test(words_that_are_never_left_are_never_used),
         cmocka_unit_test(another_store_may_have_the_memory_meanwhile),
+        cmocka_unit_test(another_store_waits_for_all_segments),
         cmocka_unit_test(pixels_are_those_of_drawing_all),
         cmocka_unit_test(without_heads_it_is_the_same),
         cmocka_unit_test(the_nearest_is_picked),

@@ -385,7 +385,7 @@ static void edges_are_made_once_with_pointers_back(void **state)
     assert_int_equal(object_polygon(o, s1, 3, 0), 0);
     assert_int_equal(object_polygon(o, s2, 4, 0), 1);
     assert_int_equal(o->edges, 6);
-    /* The text's tables: E3 between V3 and V1 belongs to S1 and S2. */
+    /* As in the tables: E3 between V3 and V1 belongs to S1 and S2. */
     assert_int_equal(object_edge_between(o, 0, 2), 2);
     assert_int_equal(o->edge[2].polygon[0], 0);
     assert_int_equal(o->edge[2].polygon[1], 1);

@@ -297,14 +297,14 @@ static void full_memory_is_told_and_said(void **state)
     for (int k = 0; k < 4; k++) {
         bool much = k % 2 == 0;
         stage_begin(&stage);
-        assert_false(stage_full(&stage));
+        assert_false(stage.full);
         for (int i = 0; i < (much ? 20000 : 20); i++)
             stage_line(&stage, random_between(0, 1200), random_between(0, 800),
                        random_between(0, 1200), random_between(0, 800));
         uint32_t at = part_written();
         stage_chain(&stage, STAGE_FREE_LOW);
         stage_end(&stage);
-        assert_int_equal(stage_full(&stage), much);
+        assert_int_equal(stage.full, much);
         decode(at, &drawing);
         assert_int_equal(drawing.end, STAGE_FREE_LOW);
         assert_int_equal(drawing.characters, much ? 22 : 0);
@@ -362,6 +362,21 @@ static void no_picture_is_written_while_it_is_shown(void **state)
     }
 }
 
+/* Somebody has stopped the display processor within the part that comes next. */
+static void a_display_processor_that_stands_is_not_waited_for(void **state)
+{
+    (void)state;
+    rig_open(&stage, true, true);
+    for (int k = 0; k < 2; k++) {
+        rig.runs = false;
+        rig.pc = (uint16_t)(part(1 - stage.part_shown) + 2);
+        stage_begin(&stage);
+        some_words();
+        stage_end(&stage);
+        assert_int_equal(stage.pictures, k + 1);
+    }
+}
+
 /* ---- graphs ---------------------------------------------------------------------------------- */
 
 static void graphs_take_any_points(void **state)
@@ -382,7 +397,7 @@ static void graphs_take_any_points(void **state)
         assert_nothing_beside();
         assert_true(lit() > 200);
         stage_end(&stage);
-        assert_false(stage_full(&stage));
+        assert_false(stage.full);
     }
 }
 
@@ -424,6 +439,7 @@ int main(void)
         cmocka_unit_test(panels_keep_to_their_columns_and_lines),
         cmocka_unit_test(full_memory_is_told_and_said),
         cmocka_unit_test(no_picture_is_written_while_it_is_shown),
+        cmocka_unit_test(a_display_processor_that_stands_is_not_waited_for),
         cmocka_unit_test(graphs_take_any_points),
         cmocka_unit_test(ticks_are_round_and_clear_of_each_other),
     };

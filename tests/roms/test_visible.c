@@ -535,21 +535,38 @@ static void hidden_parts_are_joined(void **state)
     }
 }
 
-/* More parts than there is room for: nothing hidden is lost. */
+/* More parts than there is room for, in any order: the list stays in order, nothing hidden is
+ * lost, and no more is hidden than a gap for each part that is too many. */
 static void too_many_parts_hide_more(void **state)
 {
     (void)state;
-    struct hidden_lines *h = &rig.hidden;
-    h->parts = 0;
-    for (int k = 0; k < 2 * HIDDEN_PARTS; k++)
-        add_hidden(h, (float)(2 * k) / 100, (float)(2 * k + 1) / 100);
-    assert_int_equal(h->parts, HIDDEN_PARTS);
-    for (int k = 0; k < 2 * HIDDEN_PARTS; k++) {
-        float at = (2 * (float)k + 0.5f) / 100;
-        bool in = false;
-        for (int i = 0; i < h->parts; i++)
-            in = in || (at > h->hidden[i].from && at < h->hidden[i].to);
-        assert_true(in);
+    enum { PARTS = 2 * HIDDEN_PARTS };
+    for (int i = 0; i < 2000; i++) {
+        struct hidden_lines *h = &rig.hidden;
+        int order[PARTS], count = HIDDEN_PARTS + 1 + i % HIDDEN_PARTS;
+        float covered = 0;
+        for (int k = 0; k < count; k++) {
+            int other = (int)uniform(0, (float)k + 0.99f);
+            order[k] = order[other];
+            order[other] = k;
+        }
+        h->parts = 0;
+        for (int k = 0; k < count; k++)
+            add_hidden(h, (float)(2 * order[k]) / 100, (float)(2 * order[k] + 1) / 100);
+        assert_int_equal(h->parts, HIDDEN_PARTS);
+        for (int k = 0; k < h->parts; k++) {
+            assert_true(h->hidden[k].from < h->hidden[k].to);
+            assert_true(k == 0 || h->hidden[k - 1].to < h->hidden[k].from);
+            covered += h->hidden[k].to - h->hidden[k].from;
+        }
+        assert_true(fabsf(covered - (float)(2 * count - HIDDEN_PARTS) / 100) < 0.0001f);
+        for (int k = 0; k < count; k++) {
+            float at = (2 * (float)k + 0.5f) / 100;
+            bool in = false;
+            for (int n = 0; n < h->parts; n++)
+                in = in || (at > h->hidden[n].from && at < h->hidden[n].to);
+            assert_true(in);
+        }
     }
 }
 
