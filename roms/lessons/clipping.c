@@ -8,7 +8,7 @@
 #include "roms/clip/edge.h"
 #include "roms/lessons/large_text.h"
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/pages.h"
 
 enum { PICTURE = 840 }; /* width of what is beside the panel */
 
@@ -100,7 +100,7 @@ static void comparison(struct stage *s, int line, const char *what, bool holds)
     clipping_say(s, line, holds ? INK_YELLOW : INK_TEXT, text);
 }
 
-float clipping_regions(struct stage *s, float since)
+void clipping_regions(struct stage *s, float since)
 {
     static const struct clip_window w = {250, 240, 590, 560};
     struct point2 p = {420 + 390 * sinf(since * 0.53f), 400 + 370 * sinf(since * 0.71f + 0.6f)};
@@ -122,39 +122,28 @@ float clipping_regions(struct stage *s, float since)
     comparison(s, 4, "x < xmin", region & REGION_LEFT);
     clipping_say(s, 6, region == 0 ? INK_GREEN : INK_RED, region == 0 ? "inside" : "outside");
     clipping_say(s, 7, INK_BRIGHT, code);
-    stage_title(s, "Region codes: above, below, right, left");
-    stage_caption(s, "Four comparisons make a code. 0000: the point is in the window.");
-    return 18;
 }
 
 /* ---- the lesson ------------------------------------------------------------------------------ */
 
-static float (*const draw_scene[])(struct stage *, float) = {
-    clipping_regions, clipping_cohen_sutherland, clipping_liang_barsky,
-    clipping_fan,     clipping_polygon,          clipping_text,
+static const struct page table[] = {
+    {"Region codes: above, below, right, left",
+     "Four comparisons make a code. 0000: the point is in the window.", 18, clipping_regions},
+    {"Cohen-Sutherland: cut by cut", "Both 0000: accepted. A bit in both: rejected. Else: cut.", 50,
+     clipping_cohen_sutherland},
+    {"Liang-Barsky: t1 is the last entry, t2 the first exit",
+     "Green: p < 0, the line enters. Red: p > 0, it leaves.", 26, clipping_liang_barsky},
+    {"Seventy-two lines, clipped again for every picture",
+     "White: inside. Green: what is left of those that are cut.", 16, clipping_fan},
+    {"Sutherland-Hodgman: a polygon clipped edge by edge",
+     "A pass cuts at one edge. Parts of a concave polygon stay joined.", 30, clipping_polygon},
+    {"Text clipped by three rules", "All of it or none; whole characters; dot by dot.", 20,
+     clipping_text},
 };
-enum { SCENES = sizeof draw_scene / sizeof draw_scene[0] };
 
-static struct scenes clipping_scenes;
-
-static void begin(void *state)
-{
-    scenes_begin(state, SCENES);
-}
-
-static void key(void *state, int k)
-{
-    scenes_key(state, k);
-}
-
-static float draw(void *state, struct stage *stage, float seconds)
-{
-    struct scenes *t = state;
-    float since = scenes_since(t, seconds);
-    scenes_end_after(t, draw_scene[t->scene](stage, since));
-    return 0.03f;
-}
+static struct pages pages = {
+    .page = table, .count = sizeof table / sizeof table[0], .again = 0.03f};
 
 extern const struct lesson lesson_clipping;
 const struct lesson lesson_clipping = {
-    "clipping", "Windows and clipping", SCENES_KEYS, &clipping_scenes, begin, key, draw};
+    "clipping", "Windows and clipping", PAGES_KEYS, &pages, pages_begin, pages_key, pages_draw};

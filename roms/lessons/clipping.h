@@ -1,6 +1,6 @@
-/* clipping.h — the scenes of the lesson on clipping.
+/* clipping.h — the pages of the lesson on clipping.
  *
- * Models:     each draws its whole picture, title and caption included, as it is so many seconds
+ * Models:     each draws its whole picture as it is so many seconds
  *             after it began.
  * Ownership:  nothing.
  * Errors:     none.
@@ -13,13 +13,12 @@
 
 enum { CLIPPING_PANEL = 854 }; /* where the text beside the picture begins, stage units */
 
-/* How long they last. */
-float clipping_regions(struct stage *stage, float since);
-float clipping_cohen_sutherland(struct stage *stage, float since);
-float clipping_liang_barsky(struct stage *stage, float since);
-float clipping_fan(struct stage *stage, float since);
-float clipping_polygon(struct stage *stage, float since);
-float clipping_text(struct stage *stage, float since);
+void clipping_regions(struct stage *stage, float since);
+void clipping_cohen_sutherland(struct stage *stage, float since);
+void clipping_liang_barsky(struct stage *stage, float since);
+void clipping_fan(struct stage *stage, float since);
+void clipping_polygon(struct stage *stage, float since);
+void clipping_text(struct stage *stage, float since);
 
 /* Windows in stage units. */
 void clipping_window(struct stage *stage, const struct clip_window *window, enum ink ink);

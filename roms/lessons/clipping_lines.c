@@ -92,12 +92,10 @@ static void cut_edge(struct stage *s, unsigned edge)
         stage_line(s, 0, y, 840, y);
 }
 
-float clipping_cohen_sutherland(struct stage *s, float since)
+void clipping_cohen_sutherland(struct stage *s, float since)
 {
-    float whole = 0, begun = 0;
+    float begun = 0;
     int i = 0;
-    for (int n = 0; n < LINES; n++)
-        whole += line_seconds(n);
     for (; i < LINES - 1 && since >= begun + line_seconds(i); i++)
         begun += line_seconds(i);
     struct cohen_sutherland k;
@@ -116,9 +114,6 @@ float clipping_cohen_sutherland(struct stage *s, float since)
     end_mark(s, k.end[0], "A", INK_BRIGHT);
     end_mark(s, k.end[1], "B", INK_BRIGHT);
     say_codes(s, &k, !pending);
-    stage_title(s, "Cohen-Sutherland: cut by cut");
-    stage_caption(s, "Both 0000: accepted. A bit in both: rejected. Else: cut.");
-    return whole;
 }
 
 /* ---- Liang-Barsky ---------------------------------------------------------------------------- */
@@ -189,7 +184,7 @@ static void say_parameters(struct stage *s, const struct liang_barsky *k)
     clipping_say(s, 8, k->left ? INK_BRIGHT : INK_RED, k->left ? "t1 <= t2" : "rejected");
 }
 
-float clipping_liang_barsky(struct stage *s, float since)
+void clipping_liang_barsky(struct stage *s, float since)
 {
     static const struct clip_window w = {230, 270, 610, 600};
     float turn = since * 0.21f, aside = 190 * sinf(since * 0.37f);
@@ -209,14 +204,11 @@ float clipping_liang_barsky(struct stage *s, float since)
     meetings(s, &all, a);
     parameter_axis(s, &k);
     say_parameters(s, &k);
-    stage_title(s, "Liang-Barsky: t1 is the last entry, t2 the first exit");
-    stage_caption(s, "Green: p < 0, the line enters. Red: p > 0, it leaves.");
-    return 26;
 }
 
 /* ---- many lines ------------------------------------------------------------------------------ */
 
-float clipping_fan(struct stage *s, float since)
+void clipping_fan(struct stage *s, float since)
 {
     enum { RAYS = 72 };
     static const struct clip_window w = {230, 220, 610, 580};
@@ -248,7 +240,4 @@ float clipping_fan(struct stage *s, float since)
     clipping_say(s, 3, INK_GREEN, text);
     snprintf(text, sizeof text, "none    %2d", rejected);
     clipping_say(s, 4, INK_BROWN, text);
-    stage_title(s, "Seventy-two lines, clipped again for every picture");
-    stage_caption(s, "White: inside. Green: what is left of those that are cut.");
-    return 16;
 }

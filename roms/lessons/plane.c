@@ -10,7 +10,7 @@
 #include "roms/geometry/transform2.h"
 #include "roms/lessons/large_text.h"
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/pages.h"
 #include "roms/stage/graph.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
@@ -24,7 +24,7 @@ struct step {
     float a, b;
 };
 
-struct scene {
+struct transformation {
     const char *title, *caption;
     struct step way[WAYS]
                    [STEPS]; /* up to one without a name; a second way is drawn beside the first */
@@ -33,7 +33,7 @@ struct scene {
     float m, c; /* of the mirror */
 };
 
-static const struct scene scenes[] = {
+static const struct transformation table[] = {
     {.title = "Translation: x' = x + tx, y' = y + ty",
      .caption = "Every point moves by the same amount: the last column.",
      .way = {{{"T(-5,1.5)", TRANSLATE, -5, 1.5f}, {"T(1,-5)", TRANSLATE, 1, -5}}}},
@@ -84,7 +84,7 @@ static const struct scene scenes[] = {
      .way = {{{"R(90)", ROTATE, 90, 0}, {"T(4,0)", TRANSLATE, 4, 0}},
              {{"T(4,0)", TRANSLATE, 4, 0}, {"R(90)", ROTATE, 90, 0}}}},
 };
-enum { SCENES = sizeof scenes / sizeof scenes[0] };
+enum { PAGES = sizeof table / sizeof table[0] };
 
 /* A part of the way: rotations by a part of the angle, the others on a straight line to the end. */
 static struct matrix3 step_matrix(const struct step *s, float part)
@@ -129,7 +129,7 @@ static int steps_of(const struct step *way)
     return n;
 }
 
-static int longest(const struct scene *s)
+static int longest(const struct transformation *s)
 {
     int a = steps_of(s->way[0]), b = steps_of(s->way[1]);
     return a > b ? a : b;
@@ -202,8 +202,6 @@ static void draw_ghost(const struct graph *g, const struct matrix3 *m, enum ink 
 
 /* ---- the picture ----------------------------------------------------------------------------- */
 
-static struct scenes plane_scenes;
-
 #define STEP_SECONDS 3.2f
 #define MOVE_SECONDS 2.2f
 #define LAST_SECONDS 3.0f
@@ -223,7 +221,8 @@ static void ruled_paper(const struct graph *g)
 }
 
 /* A line through the shown part of the world, after a transformation. */
-static void draw_mirror(const struct graph *g, const struct scene *s, const struct matrix3 *m)
+static void draw_mirror(const struct graph *g, const struct transformation *s,
+                        const struct matrix3 *m)
 {
     struct point2 a = matrix3_apply(m, (struct point2){-30, s->c - 30 * s->m});
     struct point2 b = matrix3_apply(m, (struct point2){30, s->c + 30 * s->m});
@@ -233,7 +232,8 @@ static void draw_mirror(const struct graph *g, const struct scene *s, const stru
 
 /* The mirror, or the point that stays: where they are, and where the steps so far have brought
  * them. */
-static void draw_marks(const struct graph *g, const struct scene *s, const struct matrix3 *m)
+static void draw_marks(const struct graph *g, const struct transformation *s,
+                       const struct matrix3 *m)
 {
     const struct matrix3 same = matrix3_identity();
     if (s->lined) {
@@ -304,38 +304,29 @@ static void matrix_panel(struct stage *s, const struct matrix3 *m)
     large_text(s, X, 140 - LARGE_LINE, text);
 }
 
-static void begin(void *state)
+static float draw(void *own, struct stage *stage, int page, float seconds)
 {
-    scenes_begin(state, SCENES);
-}
-
-static void key(void *state, int k)
-{
-    scenes_key(state, k);
-}
-
-static float draw(void *state, struct stage *stage, float seconds)
-{
-    struct scenes *t = state;
-    float since = scenes_since(t, seconds);
-    const struct scene *s = &scenes[t->scene];
+    (void)own;
+    const struct transformation *s = &table[page];
     struct graph g = graph_of(stage);
     ruled_paper(&g);
-    struct matrix3 m = go(&g, s->way[0], since);
+    struct matrix3 m = go(&g, s->way[0], seconds);
     draw_marks(&g, s, &m);
     if (steps_of(s->way[1]) > 0) {
-        go(&g, s->way[1], since);
-        list_steps(stage, s->way[1], 945, since);
+        go(&g, s->way[1], seconds);
+        list_steps(stage, s->way[1], 945, seconds);
     }
-    list_steps(stage, s->way[0], 704, since);
+    list_steps(stage, s->way[0], 704, seconds);
     matrix_panel(stage, &m);
     point_p(&g, &m);
     stage_title(stage, s->title);
     stage_caption(stage, s->caption);
-    scenes_end_after(t, (float)longest(s) * STEP_SECONDS + LAST_SECONDS);
-    return 0.04f;
+    return (float)longest(s) * STEP_SECONDS + LAST_SECONDS;
 }
+
+static struct pages pages = {.count = PAGES, .again = 0.04f, .draw = draw};
 
 extern const struct lesson lesson_plane;
 const struct lesson lesson_plane = {
-    "plane", "Transformations of the plane", SCENES_KEYS, &plane_scenes, begin, key, draw};
+    "plane",   "Transformations of the plane", PAGES_KEYS, &pages, pages_begin, pages_key,
+    pages_draw};
