@@ -57,19 +57,15 @@ static bool move_stick(struct flight_stick *k, int key)
     const float nose = 1.5f * FLIGHT_DEGREE, wing = 5 * FLIGHT_DEGREE;
     switch (key) {
     case KEY_UP:
-    case 'w':
         k->pitch = within(k->pitch + nose, -0.4f, 0.45f);
         return true;
     case KEY_DOWN:
-    case 's':
         k->pitch = within(k->pitch - nose, -0.4f, 0.45f);
         return true;
     case KEY_LEFT:
-    case 'a':
         k->bank = within(k->bank - wing, -1, 1);
         return true;
     case KEY_RIGHT:
-    case 'd':
         k->bank = within(k->bank + wing, -1, 1);
         return true;
     case '+':
@@ -159,10 +155,11 @@ static float draw(void *ctx, struct stage *stage, float seconds)
 static struct state state;
 
 extern const struct lesson lesson_gallery_flight;
-const struct lesson lesson_gallery_flight = {"flight",
-                                             "Gallery: flight simulator",
-                                             "arrows stick  + - power  b brakes  space autopilot",
-                                             &state,
-                                             begin,
-                                             key,
-                                             draw};
+const struct lesson lesson_gallery_flight = {
+    "flight",
+    "Gallery: flight simulator",
+    "arrows stick  + - power  b brakes  r again  space autopilot",
+    &state,
+    begin,
+    key,
+    draw};
