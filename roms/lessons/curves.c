@@ -104,6 +104,6 @@ static struct pages pages = {
 
 extern const struct lesson lesson_curves;
 const struct lesson lesson_curves = {
-    "curves",  "Curves and surfaces", PAGES_TURN "  tab point  arrows move  + - value",
+    "curves",  "Curves and surfaces", PAGES_TURN "  tab arrows point  + - value",
     &pages,    pages_begin,           pages_key,
     pages_draw};
