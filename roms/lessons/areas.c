@@ -6,7 +6,7 @@
 #include "roms/lessons/pages.h"
 
 static const struct page table[] = {
-    {"Polygon fill: active edges, from left to right, in pairs",
+    {"Polygon fill: active edges, in pairs",
      "An edge becomes active on its first row; from row to row its crossing moves by dx/dy.", 16,
      areas_scan_lines},
     {"Inside or outside? Two rules",
@@ -17,11 +17,11 @@ static const struct page table[] = {
      "A seed is taken from the stack, its span filled; each stretch above and below that touches "
      "it leaves a seed.",
      16, areas_spreading},
-    {"Boundary fill: where a wall touches itself only by corners",
+    {"Boundary fill: 4- and 8-connected",
      "Through edges alone the wall holds. Through corners, too, the fill slips between two pixels "
      "of a diagonal and is outside.",
      16, areas_leak},
-    {"Attributes of lines: width, caps, joins, dashes, antialiasing",
+    {"Attributes of lines",
      "Dashes go on around corners. An antialiased pixel is as light as the line covers it.", 16,
      areas_attributes},
 };

@@ -11,7 +11,8 @@
 #include "roms/clip/window.h"
 #include "roms/stage/stage.h"
 
-enum { CLIPPING_PANEL = 854 }; /* where the text beside the picture begins, stage units */
+/* Where the text beside the picture begins, and where the picture ends below the title; stage units. */
+enum { CLIPPING_PANEL = 854, CLIPPING_TOP = 776 };
 
 void clipping_regions(struct stage *stage, float since);
 void clipping_cohen_sutherland(struct stage *stage, float since);

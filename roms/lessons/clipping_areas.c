@@ -129,7 +129,7 @@ void clipping_text(struct stage *s, float since)
         const struct clip_text t = {
             "SCAN",
             &font,
-            {540 + 245 * sinf(since * 0.45f), bottom + 17 + 60 * sinf(since * 0.8f)},
+            {540 + 245 * sinf(since * 0.45f), bottom + 17 + 18 * sinf(since * 0.8f)},
             13};
         struct clip_window box = clip_text_box(&t);
         clipping_window(s, &w, INK_CYAN);

@@ -87,7 +87,7 @@ static void cut_edge(struct stage *s, unsigned edge)
     float y = edge == REGION_BELOW ? w->y_min : w->y_max;
     stage_ink(s, INK_YELLOW);
     if (edge & (REGION_LEFT | REGION_RIGHT))
-        stage_line(s, x, 0, x, STAGE_HEIGHT);
+        stage_line(s, x, 0, x, CLIPPING_TOP);
     else
         stage_line(s, 0, y, 840, y);
 }

@@ -37,8 +37,8 @@ static const struct transformation table[] = {
     {.title = "Translation: x' = x + tx, y' = y + ty",
      .caption = "Every point moves by the same amount: the last column.",
      .way = {{{"T(-5,1.5)", TRANSLATE, -5, 1.5f}, {"T(1,-5)", TRANSLATE, 1, -5}}}},
-    {.title = "Rotation about the origin, anticlockwise positive",
-     .caption = "Lengths stay; the origin stays. R(90) has only 0, 1 and -1.",
+    {.title = "Rotation about the origin",
+     .caption = "Anticlockwise is positive. Lengths stay; R(90) has only 0, 1 and -1.",
      .way = {{{"R(90)", ROTATE, 90, 0}, {"R(120)", ROTATE, 120, 0}, {"R(-60)", ROTATE, -60, 0}}}},
     {.title = "Scaling about the origin",
      .caption = "Above 1: larger and farther from the origin; below 1: the reverse.",
@@ -65,7 +65,7 @@ static const struct transformation table[] = {
     {.title = "Shear: x' = x + k y, then y' = y + k x",
      .caption = "Points of the axis stay, others slide: the farther, the more.",
      .way = {{{"x-shear 0.8", SHEAR_X, 0.8f, 0}, {"y-shear -0.7", SHEAR_Y, -0.7f, 0}}}},
-    {.title = "Rotation about a pivot: T(x,y) R T(-x,-y)",
+    {.title = "Rotation about a pivot, in three steps",
      .caption = "Pivot to the origin, turn there, and back: one matrix does all three.",
      .way = {{{"T(-3.4,-1.2)", TRANSLATE, -3.4f, -1.2f},
               {"R(75)", ROTATE, 75, 0},
@@ -81,8 +81,8 @@ static const struct transformation table[] = {
      .marked = true},
     {.title = "Order matters: matrices do not commute",
      .caption = "Turned and then moved, or moved and then turned: not the same place.",
-     .way = {{{"R(90)", ROTATE, 90, 0}, {"T(4,0)", TRANSLATE, 4, 0}},
-             {{"T(4,0)", TRANSLATE, 4, 0}, {"R(90)", ROTATE, 90, 0}}}},
+     .way = {{{"R(90)", ROTATE, 90, 0}, {"T(2.5,0)", TRANSLATE, 2.5f, 0}},
+             {{"T(2.5,0)", TRANSLATE, 2.5f, 0}, {"R(90)", ROTATE, 90, 0}}}},
 };
 enum { PAGES = sizeof table / sizeof table[0] };
 
@@ -270,14 +270,16 @@ static struct matrix3 go(const struct graph *g, const struct step *way, float se
     return product;
 }
 
-static void list_steps(struct stage *s, const struct step *way, float x, float seconds)
+enum { PANEL = 704 }; /* where the text beside the graph begins */
+
+static void list_steps(struct stage *s, const struct step *way, float top_row, float seconds)
 {
     for (int i = 0; i < steps_of(way); i++) {
         char text[32];
         bool now = seconds >= (float)i * STEP_SECONDS && seconds < (float)(i + 1) * STEP_SECONDS;
         stage_ink(s, now ? INK_YELLOW : seconds < (float)i * STEP_SECONDS ? INK_GRID : INK_TEXT);
         snprintf(text, sizeof text, "%d %s", i + 1, way[i].name);
-        large_text(s, x, 740 - (float)i * LARGE_LINE, text);
+        large_text(s, PANEL, 740 - ((float)i + top_row) * LARGE_LINE, text);
     }
 }
 
@@ -290,18 +292,17 @@ static void point_p(const struct graph *g, const struct matrix3 *m)
 
 static void matrix_panel(struct stage *s, const struct matrix3 *m)
 {
-    enum { X = 704 };
     char text[48];
     struct point2 p = matrix3_apply(m, top);
     stage_ink(s, INK_GREEN);
-    large_text(s, X, 420, "product M");
+    large_text(s, PANEL, 420, "product M");
     stage_ink(s, INK_BRIGHT);
-    large_matrix3(s, X - 6, 340, m);
+    large_matrix3(s, PANEL - 12, 340, m);
     stage_ink(s, INK_RED);
     snprintf(text, sizeof text, "P  (%.2f,%.2f)", (double)top.x, (double)top.y);
-    large_text(s, X, 140, text);
+    large_text(s, PANEL, 140, text);
     snprintf(text, sizeof text, "P' (%.2f,%.2f)", (double)p.x, (double)p.y);
-    large_text(s, X, 140 - LARGE_LINE, text);
+    large_text(s, PANEL, 140 - LARGE_LINE, text);
 }
 
 static float draw(void *own, struct stage *stage, int page, float seconds)
@@ -314,9 +315,9 @@ static float draw(void *own, struct stage *stage, int page, float seconds)
     draw_marks(&g, s, &m);
     if (steps_of(s->way[1]) > 0) {
         go(&g, s->way[1], seconds);
-        list_steps(stage, s->way[1], 945, seconds);
+        list_steps(stage, s->way[1], (float)steps_of(s->way[0]) + 0.4f, seconds);
     }
-    list_steps(stage, s->way[0], 704, seconds);
+    list_steps(stage, s->way[0], 0, seconds);
     matrix_panel(stage, &m);
     point_p(&g, &m);
     stage_title(stage, s->title);

@@ -55,7 +55,7 @@ void space_page_parallel(struct stage *stage, float seconds, struct space_viewer
         float bottom = (float)((1 - i / ACROSS) * PANEL_HEIGHT);
         bool spoken = about == 0 ? i < 3 : about == 1 ? i >= 3 && i < 6 : i >= 6;
         struct space_view view = {
-            .stage = stage, .projection = panel_projection(i, seconds, viewer), .scale = 52};
+            .stage = stage, .projection = panel_projection(i, seconds, viewer), .scale = 48};
         struct point2 middle = {0, 0};
         projection_place(&view.projection, (struct vector3){0, 1.8f, 0}, &middle);
         view.x = left + PANEL_WIDTH / 2 - view.scale * middle.x;

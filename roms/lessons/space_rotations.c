@@ -168,6 +168,6 @@ void space_page_line(struct stage *stage, float seconds, struct space_viewer vie
     stage_ink(stage, INK_BRIGHT);
     stage_text(stage, COLUMN - 20, 340, "M so far =");
     show_matrix(stage, 290, &m);
-    stage_title(stage, "Rotation about any line AB, in seven steps");
+    stage_title(stage, "Rotation about any line, in seven steps");
     stage_caption(stage, say[step]);
 }
