@@ -33,7 +33,7 @@ static const struct point2 lines[][2] = {
     {{110, 330}, {790, 470}}, /* one cut at each end */
     {{60, 500}, {440, 760}},  /* cut, then rejected */
     {{120, 90}, {800, 760}},  /* four cuts */
-    {{500, 60}, {790, 300}},  /* rejected after two */
+    {{500, 60}, {790, 300}},  /* as before, from below */
 };
 enum { LINES = sizeof lines / sizeof lines[0] };
 #define CUT_SECONDS 2.0f

@@ -199,7 +199,7 @@ static void draw_drift(struct drift *d, struct stage *stage, float seconds)
     struct plot plot = draw_axes(d, stage);
     draw_curves(d, &plot);
     draw_figures(d, stage);
-    stage_title(stage, "Drift: error of the sum, in pixels, along a line");
+    stage_title(stage, "Drift: the error of the sum, in pixels");
     stage_caption(stage, "Each addition rounds; a long line drifts away. "
                          "A whole pixel off, all pixels are wrong.");
 }

@@ -38,7 +38,7 @@ static void whirl(struct stage *s, const struct point2 *corners, float step, boo
 
 void art_whirls(struct stage *s, float seconds)
 {
-    enum { SIDES = 6, RADIUS = 395 };
+    enum { SIDES = 6, RADIUS = 375 };
     static const enum ink_ramp ramps[] = {RAMP_COPPER, RAMP_BLUE, RAMP_GOLD};
     float turn = seconds * 0.07f, step = 0.11f + 0.07f * sinf(seconds * 0.4f);
     for (int i = 0; i < SIDES; i++) {

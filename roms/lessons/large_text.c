@@ -48,12 +48,12 @@ static void element(char *text, size_t size, float v)
 
 void large_matrix3(struct stage *s, float x, float y, const struct matrix3 *m)
 {
-    enum { COLUMN = 173, BRACKET = 14 };
+    enum { COLUMN = 178, BRACKET = 14 };
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
             char text[16];
             element(text, sizeof text, m->at[i][k]);
-            large_text(s, x + 2 + (float)(k * COLUMN), y - (float)(i * LARGE_LINE), text);
+            large_text(s, x + 8 + (float)(k * COLUMN), y - (float)(i * LARGE_LINE), text);
         }
     float low = y - 2 * LARGE_LINE - 14, high = y + 46;
     bracket(s, x, low, high, BRACKET);

@@ -157,11 +157,11 @@ static const struct clip_window shown = {-6, -7, 6, 7};
 static struct graph graph_of(struct stage *stage)
 {
     return (struct graph){.stage = stage,
-                          .scale = 57,
+                          .scale = 55,
                           .left = 0,
                           .bottom = 0,
-                          .width = 684,
-                          .height = 798,
+                          .width = 660,
+                          .height = 770,
                           .x_min = shown.x_min,
                           .y_min = shown.y_min,
                           .x_max = shown.x_max,
@@ -270,7 +270,7 @@ static struct matrix3 go(const struct graph *g, const struct step *way, float se
     return product;
 }
 
-enum { PANEL = 704 }; /* where the text beside the graph begins */
+enum { PANEL = 680 }; /* where the text beside the graph begins */
 
 static void list_steps(struct stage *s, const struct step *way, float top_row, float seconds)
 {
@@ -279,7 +279,7 @@ static void list_steps(struct stage *s, const struct step *way, float top_row, f
         bool now = seconds >= (float)i * STEP_SECONDS && seconds < (float)(i + 1) * STEP_SECONDS;
         stage_ink(s, now ? INK_YELLOW : seconds < (float)i * STEP_SECONDS ? INK_GRID : INK_TEXT);
         snprintf(text, sizeof text, "%d %s", i + 1, way[i].name);
-        large_text(s, PANEL, 740 - ((float)i + top_row) * LARGE_LINE, text);
+        large_text(s, PANEL, 730 - ((float)i + top_row) * LARGE_LINE, text);
     }
 }
 
