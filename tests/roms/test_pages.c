@@ -102,7 +102,7 @@ static void a_pause_stops_time_until_a_page_is_turned(void **state)
     struct pages p = two_pages();
     pass(&p, 2);
     pages_key(&p, 'p');
-    pass(&p, 20);
+    pass(&p, 23);
     at('a', 2);
     pages_key(&p, 'p');
     pass(&p, 1);
