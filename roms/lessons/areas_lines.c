@@ -1,4 +1,4 @@
-/* areas_lines.c — scene: attributes of lines: width, caps, joins, dashes, antialiasing. */
+/* areas_lines.c — attributes of lines: width, caps, joins, dashes, antialiasing. */
 #include <math.h>
 
 #include "roms/lessons/areas.h"

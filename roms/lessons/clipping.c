@@ -1,4 +1,4 @@
-/* clipping.c — the lesson on windows and clipping: its scenes in order, and what they have in
+/* clipping.c — the lesson on windows and clipping: its pages in order, and what they have in
  * common. */
 #include "roms/lessons/clipping.h"
 

@@ -1,6 +1,6 @@
 /* plane.c — the lesson on transformations of the plane: a boat is moved, turned, mirrored, sheared.
  *
- *      scene: steps, first to last ──▶ the boat goes through them ──▶ product so far, as a matrix
+ *      page:  steps, first to last ──▶ the boat goes through them ──▶ product so far, as a matrix
  */
 #include <math.h>
 #include <stdio.h>

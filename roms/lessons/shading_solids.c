@@ -1,4 +1,4 @@
-/* shading_solids.c — scenes of shaded solids. */
+/* shading_solids.c — pages of shaded solids. */
 #include <math.h>
 #include <stdio.h>
 
