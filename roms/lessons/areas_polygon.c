@@ -1,4 +1,4 @@
-/* areas_polygon.c — scenes: a polygon scan line by scan line; a star by both rules. */
+/* areas_polygon.c — pages: a polygon scan line by scan line; a star by both rules. */
 #include <math.h>
 #include <stdio.h>
 

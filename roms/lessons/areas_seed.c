@@ -1,4 +1,4 @@
-/* areas_seed.c — scenes: a flood fill spreading; a boundary fill that leaks. */
+/* areas_seed.c — pages: a flood fill spreading; a boundary fill that leaks. */
 #include <stdio.h>
 
 #include "roms/lessons/areas.h"
