@@ -3,33 +3,33 @@
 #include "roms/lessons/areas.h"
 
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/pages.h"
 
-enum { SCENES = 5, SECONDS = 16 };
+static const struct page table[] = {
+    {"Polygon fill: active edges, in pairs",
+     "An edge becomes active on its first row; from row to row its crossing moves by dx/dy.", 16,
+     areas_scan_lines},
+    {"Inside or outside? Two rules",
+     "A ray from the place to the right: count the edges that it crosses, or add +1 for those that "
+     "go up, -1 for those that go down.",
+     16, areas_rules},
+    {"Flood fill: from a seed, span by span",
+     "A seed is taken from the stack, its span filled; each stretch above and below that touches "
+     "it leaves a seed.",
+     16, areas_spreading},
+    {"Boundary fill: 4- and 8-connected",
+     "Through edges alone the wall holds. Through corners, too, the fill slips between two pixels "
+     "of a diagonal and is outside.",
+     16, areas_leak},
+    {"Attributes of lines",
+     "Dashes go on around corners. An antialiased pixel is as light as the line covers it.", 16,
+     areas_attributes},
+};
 
-static void begin(void *state)
-{
-    scenes_begin((struct scenes *)state, SCENES);
-}
-
-static void key(void *state, int k)
-{
-    scenes_key((struct scenes *)state, k);
-}
-
-static float draw(void *state, struct stage *stage, float seconds)
-{
-    static void (*const scene[SCENES])(struct stage *, float) = {
-        areas_scan_lines, areas_rules, areas_spreading, areas_leak, areas_attributes};
-    struct scenes *s = (struct scenes *)state;
-    float t = scenes_since(s, seconds);
-    scene[s->scene](stage, t);
-    scenes_end_after(s, SECONDS);
-    return 0.04f;
-}
-
-static struct scenes lesson_state;
+static struct pages pages = {
+    .page = table, .count = sizeof table / sizeof table[0], .again = 0.04f};
 
 extern const struct lesson lesson_areas;
 const struct lesson lesson_areas = {
-    "areas", "Areas and how they are filled", SCENES_KEYS, &lesson_state, begin, key, draw};
+    "areas",   "Areas and how they are filled", PAGES_KEYS, &pages, pages_begin, pages_key,
+    pages_draw};

@@ -1,4 +1,4 @@
-/* areas.h — the scenes of the lesson about areas; private to roms/lessons/areas*.c.
+/* areas.h — the pages of the lesson about areas; private to roms/lessons/areas*.c.
  *
  * Models:     each draws the whole picture for so many seconds after it began.
  * Units:      seconds; stage units.

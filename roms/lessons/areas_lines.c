@@ -1,4 +1,4 @@
-/* areas_lines.c — scene: attributes of lines: width, caps, joins, dashes, antialiasing. */
+/* areas_lines.c — attributes of lines: width, caps, joins, dashes, antialiasing. */
 #include <math.h>
 
 #include "roms/geometry/scalar.h"
@@ -142,8 +142,4 @@ void areas_attributes(struct stage *s, float seconds)
     stage_text_middle(s, 205, 10, "dashes");
     stage_text_middle(s, 610, 10, "Bresenham");
     stage_text_middle(s, 1000, 10, "antialiased");
-    stage_title(s, "Attributes of lines: width, caps, joins, dashes, antialiasing");
-    stage_caption(
-        s, "Dashes go on around corners. An antialiased pixel is as light as the line covers "
-           "it.");
 }

@@ -1,4 +1,4 @@
-/* areas_polygon.c — scenes: a polygon scan line by scan line; a star by both rules. */
+/* areas_polygon.c — pages: a polygon scan line by scan line; a star by both rules. */
 #include <math.h>
 #include <stdio.h>
 
@@ -90,9 +90,6 @@ void areas_scan_lines(struct stage *s, float seconds)
         pixels_of_row(&grid, &f, INK_GREEN);
         active(&grid, &f);
     }
-    stage_title(s, "Polygon fill: active edges, from left to right, in pairs");
-    stage_caption(s, "An edge becomes active on its first row; from row to row its crossing moves "
-                     "by dx/dy.");
 }
 
 /* ---- the rules ------------------------------------------------------------------------------- */
@@ -184,8 +181,4 @@ void areas_rules(struct stage *s, float seconds)
     stage_text_middle(s, 300, 30, "even: outside");
     stage_text_middle(s, 900, 70, "non-zero winding rule");
     stage_text_middle(s, 900, 30, "0: outside");
-    stage_title(s, "Inside or outside? Two rules");
-    stage_caption(s,
-                  "A ray from the place to the right: count the edges that it crosses, or add +1 "
-                  "for those that go up, -1 for those that go down.");
 }

@@ -1,4 +1,4 @@
-/* areas_seed.c — scenes: a flood fill spreading; a boundary fill that leaks. */
+/* areas_seed.c — pages: a flood fill spreading; a boundary fill that leaks. */
 #include <stdio.h>
 
 #include "roms/lessons/areas.h"
@@ -97,10 +97,6 @@ void areas_spreading(struct stage *s, float seconds)
     struct grid grid = grid_fit(s, -30, 0, STAGE_WIDTH + 60, STAGE_HEIGHT + 20, 0, 0, 45, 26);
     fill(&scenery, &grid, (int)(seconds * 4));
     count(s, &scenery, STAGE_WIDTH / 2, 6);
-    stage_title(s, "Flood fill: from a seed, span by span");
-    stage_caption(s,
-                  "A seed is taken from the stack, its span filled; each stretch above and below "
-                  "that touches it leaves a seed.");
 }
 
 static void one_leak(struct stage *s, float left, int connected, int spans)
@@ -127,8 +123,4 @@ void areas_leak(struct stage *s, float seconds)
     int spans = (int)(seconds * 3);
     one_leak(s, 0, 4, spans);
     one_leak(s, 600, 8, spans);
-    stage_title(s, "Boundary fill: where a wall touches itself only by corners");
-    stage_caption(
-        s, "Through edges alone the wall holds. Through corners, too, the fill slips between "
-           "two pixels of a diagonal and is outside.");
 }

@@ -4,6 +4,7 @@
 
 #include "roms/geometry/scalar.h"
 #include "roms/lessons/lesson.h"
+#include "roms/lessons/pages.h"
 #include "roms/raster/circle_midpoint.h"
 #include "roms/raster/circle_midpoint_side.h"
 #include "roms/raster/ellipse_midpoint.h"
@@ -26,39 +27,46 @@ enum {
 static struct rounds {
     enum figure figure;
     int r;
-    float step;  /* decisions that were taken, in fractions */
-    float speed; /* decisions a second */
-    float before;
-    bool stopped;
-    int row; /* of the table that is written next */
+    int more;   /* decisions by keys */
+    float step; /* decisions that were taken, in fractions */
+    int row;    /* of the table that is written next */
 } the_rounds;
 
-static void begin(void *state)
+static struct pages pages;
+
+static void begin(void *own)
 {
-    struct rounds *c = state;
-    *c = (struct rounds){.r = 8, .speed = 2.5f};
+    *(struct rounds *)own = (struct rounds){.r = 8};
 }
 
-static void choose(struct rounds *c, enum figure figure, int r)
+static void turn(void *own, int page)
 {
-    c->figure = figure;
+    struct rounds *c = own;
+    if (page == TOP && c->figure == ELLIPSE) /* a round is over: larger circles */
+        c->r = c->r + 2 > LARGEST ? SMALLEST : c->r + 2;
+    c->figure = (enum figure)page;
+    c->more = 0;
+}
+
+/* The same figure from the beginning. */
+static void choose(struct rounds *c, int r)
+{
     c->r = r < SMALLEST ? LARGEST : r > LARGEST ? SMALLEST : r;
-    c->step = 0;
+    pages_go(&pages, (int)c->figure);
 }
 
-static void key(void *state, int k)
+static bool key(void *own, int k)
 {
-    struct rounds *c = state;
-    if (k == '+' || k == KEY_UP)
-        choose(c, c->figure, c->r + 1);
-    else if (k == '-' || k == KEY_DOWN)
-        choose(c, c->figure, c->r - 1);
-    else if (k == 'f')
-        choose(c, (c->figure + 1) % FIGURES, c->r);
-    else if (k == ' ')
-        c->stopped = !c->stopped;
-    else if (k == 'n' || k == KEY_RIGHT || k == '\r' || k == '\n')
-        c->step += 1;
+    struct rounds *c = own;
+    if (k == '+' || k == '=')
+        choose(c, c->r + 1);
+    else if (k == '-')
+        choose(c, c->r - 1);
+    else if (k == 'n')
+        c->more++;
+    else
+        return false;
+    return true;
 }
 
 /* rx of the ellipse; its ry is three quarters of it. */
@@ -241,23 +249,10 @@ static int decisions(const struct rounds *c)
     return count;
 }
 
-/* After a rest the next figure; after all of them a larger radius. */
-static void pass(struct rounds *c, float seconds)
+static float draw(void *own, struct stage *stage, int page, float seconds)
 {
-    enum { REST = 6 };
-    if (!c->stopped)
-        c->step += (seconds - c->before) * c->speed;
-    c->before = seconds;
-    if (c->step < (float)(decisions(c) + REST))
-        return;
-    if (c->figure + 1 < FIGURES)
-        choose(c, c->figure + 1, c->r);
-    else
-        choose(c, TOP, c->r + 2);
-}
-
-static float draw(void *state, struct stage *stage, float seconds)
-{
+    const float speed = 2.5f; /* decisions a second */
+    const int rest = 6;
     static const char *const names[] = {
         "Midpoint circle from (0,%d)", "Midpoint circle from (%d,0)", "Midpoint ellipse, %d by %d"};
     static const char *const captions[] = {
@@ -265,9 +260,9 @@ static float draw(void *state, struct stage *stage, float seconds)
         "From the side y steps and x is chosen: the same pixels.",
         "Region 1 steps in x, region 2 in y; between them the slope is -1.",
     };
-    struct rounds *c = state;
+    struct rounds *c = own;
     char text[TEXT];
-    pass(c, seconds);
+    c->step = seconds * speed + (float)c->more;
     struct grid grid = grid_fit(stage, 0, 0, GRID_WIDTH, STAGE_HEIGHT, -c->r, -ry(c), c->r, ry(c));
     c->row = 0;
     grid_rules(&grid);
@@ -279,17 +274,25 @@ static float draw(void *state, struct stage *stage, float seconds)
     else
         draw_ellipse(c, &grid);
     draw_ideal(c, &grid);
-    snprintf(text, sizeof text, names[c->figure], rx(c), ry(c));
+    snprintf(text, sizeof text, names[page], rx(c), ry(c));
     stage_title(stage, text);
-    stage_caption(stage, captions[c->figure]);
-    return 0.03f;
+    stage_caption(stage, captions[page]);
+    return (float)(decisions(c) + rest - c->more) / speed;
 }
+
+static struct pages pages = {.count = FIGURES,
+                             .again = 0.03f,
+                             .own = &the_rounds,
+                             .begin = begin,
+                             .turn = turn,
+                             .draw = draw,
+                             .key = key};
 
 extern const struct lesson lesson_circles;
 const struct lesson lesson_circles = {"circles",
                                       "Circles and ellipses",
-                                      "+ - radius  f figure  space stop  n step",
-                                      &the_rounds,
-                                      begin,
-                                      key,
-                                      draw};
+                                      PAGES_TURN "  n step  + - radius",
+                                      &pages,
+                                      pages_begin,
+                                      pages_key,
+                                      pages_draw};

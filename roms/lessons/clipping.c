@@ -1,4 +1,4 @@
-/* clipping.c — the lesson on windows and clipping: its scenes in order, and what they have in
+/* clipping.c — the lesson on windows and clipping: its pages in order, and what they have in
  * common. */
 #include "roms/lessons/clipping.h"
 
@@ -8,9 +8,9 @@
 #include "roms/clip/edge.h"
 #include "roms/lessons/large_text.h"
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/pages.h"
 
-enum { PICTURE = 840 }; /* width of what is beside the panel */
+enum { PICTURE = 840, TOP = CLIPPING_TOP }; /* of what is beside the panel */
 
 void clipping_line(struct stage *s, struct point2 a, struct point2 b, enum ink ink)
 {
@@ -63,10 +63,10 @@ void clipping_code(unsigned code, char text[5])
 
 void clipping_codes(struct stage *s, const struct clip_window *w)
 {
-    const float x[] = {0, w->x_min, w->x_max, PICTURE}, y[] = {0, w->y_min, w->y_max, STAGE_HEIGHT};
+    const float x[] = {0, w->x_min, w->x_max, PICTURE}, y[] = {0, w->y_min, w->y_max, TOP};
     stage_ink(s, INK_GRID);
     for (int i = 1; i < 3; i++) {
-        stage_line(s, x[i], 0, x[i], STAGE_HEIGHT);
+        stage_line(s, x[i], 0, x[i], TOP);
         stage_line(s, 0, y[i], PICTURE, y[i]);
     }
     stage_ink(s, INK_BLUE);
@@ -85,7 +85,7 @@ static void lit_region(struct stage *s, const struct clip_window *w, struct poin
     const float x0 = p.x < w->x_min ? 0 : p.x > w->x_max ? w->x_max : w->x_min;
     const float x1 = p.x < w->x_min ? w->x_min : p.x > w->x_max ? PICTURE : w->x_max;
     const float y0 = p.y < w->y_min ? 0 : p.y > w->y_max ? w->y_max : w->y_min;
-    const float y1 = p.y < w->y_min ? w->y_min : p.y > w->y_max ? STAGE_HEIGHT : w->y_max;
+    const float y1 = p.y < w->y_min ? w->y_min : p.y > w->y_max ? TOP : w->y_max;
     const struct point2 c[] = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
     stage_heads(s, STAGE_RASTER);
     stage_ink(s, (enum ink)ink_shade(clip_point(w, p) ? RAMP_GREEN : RAMP_BLUE, 0.12f));
@@ -100,10 +100,10 @@ static void comparison(struct stage *s, int line, const char *what, bool holds)
     clipping_say(s, line, holds ? INK_YELLOW : INK_TEXT, text);
 }
 
-float clipping_regions(struct stage *s, float since)
+void clipping_regions(struct stage *s, float since)
 {
     static const struct clip_window w = {250, 240, 590, 560};
-    struct point2 p = {420 + 390 * sinf(since * 0.53f), 400 + 370 * sinf(since * 0.71f + 0.6f)};
+    struct point2 p = {420 + 390 * sinf(since * 0.53f), 390 + 350 * sinf(since * 0.71f + 0.6f)};
     char code[5];
     unsigned region = clip_region(&w, p);
     lit_region(s, &w, p);
@@ -122,39 +122,28 @@ float clipping_regions(struct stage *s, float since)
     comparison(s, 4, "x < xmin", region & REGION_LEFT);
     clipping_say(s, 6, region == 0 ? INK_GREEN : INK_RED, region == 0 ? "inside" : "outside");
     clipping_say(s, 7, INK_BRIGHT, code);
-    stage_title(s, "Region codes: above, below, right, left");
-    stage_caption(s, "Four comparisons make a code. 0000: the point is in the window.");
-    return 18;
 }
 
 /* ---- the lesson ------------------------------------------------------------------------------ */
 
-static float (*const draw_scene[])(struct stage *, float) = {
-    clipping_regions, clipping_cohen_sutherland, clipping_liang_barsky,
-    clipping_fan,     clipping_polygon,          clipping_text,
+static const struct page table[] = {
+    {"Region codes: above, below, right, left",
+     "Four comparisons make a code. 0000: the point is in the window.", 18, clipping_regions},
+    {"Cohen-Sutherland: cut by cut", "Both 0000: accepted. A bit in both: rejected. Else: cut.", 50,
+     clipping_cohen_sutherland},
+    {"Liang-Barsky: last entry, first exit",
+     "Green: p < 0, the line enters. Red: p > 0, it leaves.", 26, clipping_liang_barsky},
+    {"Seventy-two lines, clipped every time",
+     "White: inside. Green: what is left of those that are cut.", 16, clipping_fan},
+    {"Sutherland-Hodgman: edge by edge",
+     "A pass cuts at one edge. Parts of a concave polygon stay joined.", 30, clipping_polygon},
+    {"Text clipped by three rules", "All of it or none; whole characters; dot by dot.", 20,
+     clipping_text},
 };
-enum { SCENES = sizeof draw_scene / sizeof draw_scene[0] };
 
-static struct scenes clipping_scenes;
-
-static void begin(void *state)
-{
-    scenes_begin(state, SCENES);
-}
-
-static void key(void *state, int k)
-{
-    scenes_key(state, k);
-}
-
-static float draw(void *state, struct stage *stage, float seconds)
-{
-    struct scenes *t = state;
-    float since = scenes_since(t, seconds);
-    scenes_end_after(t, draw_scene[t->scene](stage, since));
-    return 0.03f;
-}
+static struct pages pages = {
+    .page = table, .count = sizeof table / sizeof table[0], .again = 0.03f};
 
 extern const struct lesson lesson_clipping;
 const struct lesson lesson_clipping = {
-    "clipping", "Windows and clipping", SCENES_KEYS, &clipping_scenes, begin, key, draw};
+    "clipping", "Windows and clipping", PAGES_KEYS, &pages, pages_begin, pages_key, pages_draw};

@@ -1,6 +1,6 @@
-/* clipping.h — the scenes of the lesson on clipping.
+/* clipping.h — the pages of the lesson on clipping.
  *
- * Models:     each draws its whole picture, title and caption included, as it is so many seconds
+ * Models:     each draws its whole picture as it is so many seconds
  *             after it began.
  * Ownership:  nothing.
  * Errors:     none.
@@ -11,15 +11,15 @@
 #include "roms/clip/window.h"
 #include "roms/stage/stage.h"
 
-enum { CLIPPING_PANEL = 854 }; /* where the text beside the picture begins, stage units */
+/* Where the text beside the picture begins, and where the picture ends below the title; stage units. */
+enum { CLIPPING_PANEL = 854, CLIPPING_TOP = 776 };
 
-/* How long they last. */
-float clipping_regions(struct stage *stage, float since);
-float clipping_cohen_sutherland(struct stage *stage, float since);
-float clipping_liang_barsky(struct stage *stage, float since);
-float clipping_fan(struct stage *stage, float since);
-float clipping_polygon(struct stage *stage, float since);
-float clipping_text(struct stage *stage, float since);
+void clipping_regions(struct stage *stage, float since);
+void clipping_cohen_sutherland(struct stage *stage, float since);
+void clipping_liang_barsky(struct stage *stage, float since);
+void clipping_fan(struct stage *stage, float since);
+void clipping_polygon(struct stage *stage, float since);
+void clipping_text(struct stage *stage, float since);
 
 /* Windows in stage units. */
 void clipping_window(struct stage *stage, const struct clip_window *window, enum ink ink);

@@ -13,8 +13,7 @@
 /* ---- polygons -------------------------------------------------------------------------------- */
 
 enum { POINTS = 7, CORNERS = 2 * POINTS, PASSES = 4 };
-#define PASS_SECONDS  2.4f
-#define ROUND_SECONDS (PASS_SECONDS * (PASSES + 1) + 18)
+#define PASS_SECONDS 2.4f
 
 /* A star, concave at every second corner. */
 static void star(struct point2 *p, float angle)
@@ -76,7 +75,7 @@ static void doubled_edges(struct stage *s, const struct sutherland_hodgman *work
 }
 
 /* Pass by pass first; then the star turns, and the window moves to where only points of it are. */
-float clipping_polygon(struct stage *s, float since)
+void clipping_polygon(struct stage *s, float since)
 {
     static struct sutherland_hodgman work;
     struct point2 p[CORNERS];
@@ -98,9 +97,6 @@ float clipping_polygon(struct stage *s, float since)
         pass_edge(s, &w, work.edge);
     doubled_edges(s, &work);
     say_passes(s, &work, pass);
-    stage_title(s, "Sutherland-Hodgman: a polygon clipped edge by edge");
-    stage_caption(s, "A pass cuts at one edge. Parts of a concave polygon stay joined.");
-    return ROUND_SECONDS;
 }
 
 /* ---- text ------------------------------------------------------------------------------------ */
@@ -124,7 +120,7 @@ static void dots(struct stage *s, const struct clip_text *t, const struct clip_w
     stage_heads(s, STAGE_BOTH);
 }
 
-float clipping_text(struct stage *s, float since)
+void clipping_text(struct stage *s, float since)
 {
     static const char *const names[] = {"string", "character", "component"};
     static const enum ink inks[] = {INK_ORANGE, INK_GREEN, INK_BRIGHT};
@@ -134,7 +130,7 @@ float clipping_text(struct stage *s, float since)
         const struct clip_text t = {
             "SCAN",
             &font,
-            {540 + 245 * sinf(since * 0.45f), bottom + 17 + 60 * sinf(since * 0.8f)},
+            {540 + 245 * sinf(since * 0.45f), bottom + 17 + 18 * sinf(since * 0.8f)},
             13};
         struct clip_window box = clip_text_box(&t);
         clipping_window(s, &w, INK_CYAN);
@@ -143,7 +139,4 @@ float clipping_text(struct stage *s, float since)
         dots(s, &t, &w, (enum clip_text_rule)rule);
         large_text(s, 0, bottom + 80, names[rule]);
     }
-    stage_title(s, "Text clipped by three rules");
-    stage_caption(s, "All of it or none; whole characters; dot by dot.");
-    return 20;
 }

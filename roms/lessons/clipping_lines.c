@@ -34,7 +34,7 @@ static const struct point2 lines[][2] = {
     {{110, 330}, {790, 470}}, /* one cut at each end */
     {{60, 500}, {440, 760}},  /* cut, then rejected */
     {{120, 90}, {800, 760}},  /* four cuts */
-    {{500, 60}, {790, 300}},  /* rejected after two */
+    {{500, 60}, {790, 300}},  /* as before, from below */
 };
 enum { LINES = sizeof lines / sizeof lines[0] };
 #define CUT_SECONDS 2.0f
@@ -88,17 +88,15 @@ static void cut_edge(struct stage *s, unsigned edge)
     float y = edge == REGION_BELOW ? w->y_min : w->y_max;
     stage_ink(s, INK_YELLOW);
     if (edge & (REGION_LEFT | REGION_RIGHT))
-        stage_line(s, x, 0, x, STAGE_HEIGHT);
+        stage_line(s, x, 0, x, CLIPPING_TOP);
     else
         stage_line(s, 0, y, 840, y);
 }
 
-float clipping_cohen_sutherland(struct stage *s, float since)
+void clipping_cohen_sutherland(struct stage *s, float since)
 {
-    float whole = 0, begun = 0;
+    float begun = 0;
     int i = 0;
-    for (int n = 0; n < LINES; n++)
-        whole += line_seconds(n);
     for (; i < LINES - 1 && since >= begun + line_seconds(i); i++)
         begun += line_seconds(i);
     struct cohen_sutherland k;
@@ -117,9 +115,6 @@ float clipping_cohen_sutherland(struct stage *s, float since)
     end_mark(s, k.end[0], "A", INK_BRIGHT);
     end_mark(s, k.end[1], "B", INK_BRIGHT);
     say_codes(s, &k, !pending);
-    stage_title(s, "Cohen-Sutherland: cut by cut");
-    stage_caption(s, "Both 0000: accepted. A bit in both: rejected. Else: cut.");
-    return whole;
 }
 
 /* ---- Liang-Barsky ---------------------------------------------------------------------------- */
@@ -190,7 +185,7 @@ static void say_parameters(struct stage *s, const struct liang_barsky *k)
     clipping_say(s, 8, k->left ? INK_BRIGHT : INK_RED, k->left ? "t1 <= t2" : "rejected");
 }
 
-float clipping_liang_barsky(struct stage *s, float since)
+void clipping_liang_barsky(struct stage *s, float since)
 {
     static const struct clip_window w = {230, 270, 610, 600};
     float turn = since * 0.21f, aside = 190 * sinf(since * 0.37f);
@@ -210,14 +205,11 @@ float clipping_liang_barsky(struct stage *s, float since)
     meetings(s, &all, a);
     parameter_axis(s, &k);
     say_parameters(s, &k);
-    stage_title(s, "Liang-Barsky: t1 is the last entry, t2 the first exit");
-    stage_caption(s, "Green: p < 0, the line enters. Red: p > 0, it leaves.");
-    return 26;
 }
 
 /* ---- many lines ------------------------------------------------------------------------------ */
 
-float clipping_fan(struct stage *s, float since)
+void clipping_fan(struct stage *s, float since)
 {
     enum { RAYS = 72 };
     static const struct clip_window w = {230, 220, 610, 580};
@@ -249,7 +241,4 @@ float clipping_fan(struct stage *s, float since)
     clipping_say(s, 3, INK_GREEN, text);
     snprintf(text, sizeof text, "none    %2d", rejected);
     clipping_say(s, 4, INK_BROWN, text);
-    stage_title(s, "Seventy-two lines, clipped again for every picture");
-    stage_caption(s, "White: inside. Green: what is left of those that are cut.");
-    return 16;
 }

@@ -5,36 +5,23 @@
 
 #include "roms/geometry/scalar.h"
 #include "roms/lessons/lesson.h"
+#include "roms/lessons/pages.h"
 
-static const struct curves_page *const pages[] = {
+static const struct curves_page *const table[] = {
     &curves_page_casteljau, &curves_page_blending, &curves_page_splines, &curves_page_tension,
     &curves_page_b_spline,  &curves_page_join,     &curves_page_patch,
 };
-enum { PAGES = sizeof pages / sizeof pages[0], PAGE_SECONDS = 16, STEP = 20 };
+enum { PAGES = sizeof table / sizeof table[0], PAGE_SECONDS = 16, STEP = 20 };
 
-struct curves_lesson {
-    int page;
-    bool steered; /* a key was pressed: pages stay */
-    bool paused, moved, set;
-    float seconds; /* when it was drawn last */
+static struct curves_lesson {
+    bool moved, set; /* by keys: a point, the value */
     struct curves_view view;
-};
+} lesson;
 
-static struct curves_lesson lesson;
-
-static void turn_to(struct curves_lesson *l, int page)
+static void turn(void *own, int page)
 {
-    const struct curves_page *p = pages[page];
-    l->page = page;
-    l->paused = l->moved = l->set = false;
-    l->view = (struct curves_view){.chosen = -1, .count = p->count};
-}
-
-static void begin(void *state)
-{
-    struct curves_lesson *l = state;
-    *l = (struct curves_lesson){0};
-    turn_to(l, 0);
+    *(struct curves_lesson *)own =
+        (struct curves_lesson){.view = {.chosen = -1, .count = table[page]->count}};
 }
 
 static void move(struct curves_lesson *l, float dx, float dy)
@@ -55,36 +42,31 @@ static void change(struct curves_lesson *l, float by)
     l->view.value = fminf(fmaxf(l->view.value + by, 0), 1);
 }
 
-static void key(void *state, int k)
+static bool key(void *own, int k)
 {
-    struct curves_lesson *l = state;
-    l->steered = true;
-    if (k == ' ')
-        turn_to(l, (l->page + 1) % PAGES);
-    else if (k == 'b')
-        turn_to(l, (l->page + PAGES - 1) % PAGES);
-    else if (k == 'p')
-        l->paused = !l->paused;
-    else if ((k == 'n' || k == '\t') && l->view.count > 0)
+    struct curves_lesson *l = own;
+    if (k == '\t' && l->view.count > 0)
         l->view.chosen = (l->view.chosen + 1) % l->view.count;
-    else if (k == KEY_UP || k == 'w')
+    else if (k == KEY_UP)
         move(l, 0, STEP);
-    else if (k == KEY_DOWN || k == 's')
+    else if (k == KEY_DOWN)
         move(l, 0, -STEP);
-    else if (k == KEY_LEFT || k == 'a')
+    else if (k == KEY_LEFT)
         move(l, -STEP, 0);
-    else if (k == KEY_RIGHT || k == 'd')
+    else if (k == KEY_RIGHT)
         move(l, STEP, 0);
     else if (k == '+' || k == '=')
         change(l, 0.05f);
     else if (k == '-')
         change(l, -0.05f);
+    else
+        return false;
+    return true;
 }
 
 /* What nobody steers moves by itself. */
-static void run(struct curves_lesson *l)
+static void run(struct curves_lesson *l, const struct curves_page *page)
 {
-    const struct curves_page *page = pages[l->page];
     struct curves_view *v = &l->view;
     float t = v->clock;
     for (int i = 0; i < v->count && !l->moved; i++) {
@@ -96,21 +78,15 @@ static void run(struct curves_lesson *l)
         v->value = 0.5f - 0.5f * cosf(t * TURN / page->period);
 }
 
-static float draw(void *state, struct stage *s, float seconds)
+static float draw(void *own, struct stage *s, int page, float seconds)
 {
-    struct curves_lesson *l = state;
-    char title[64];
-    float passed = seconds - l->seconds;
-    l->seconds = seconds;
-    l->view.clock += l->paused ? 0 : passed;
-    if (!l->steered && l->view.clock > PAGE_SECONDS)
-        turn_to(l, (l->page + 1) % PAGES);
-    run(l);
-    snprintf(title, sizeof title, "%d/%d  %s", l->page + 1, PAGES, pages[l->page]->title);
-    pages[l->page]->draw(&l->view, s);
-    stage_title(s, title);
-    stage_caption(s, pages[l->page]->caption);
-    return 0.02f;
+    struct curves_lesson *l = own;
+    l->view.clock = seconds;
+    run(l, table[page]);
+    table[page]->draw(&l->view, s);
+    stage_title(s, table[page]->title);
+    stage_caption(s, table[page]->caption);
+    return PAGE_SECONDS;
 }
 
 void curves_draw_controls(const struct curves_view *v, struct stage *s, enum ink ink)
@@ -124,11 +100,11 @@ void curves_draw_controls(const struct curves_view *v, struct stage *s, enum ink
     }
 }
 
+static struct pages pages = {
+    .count = PAGES, .again = 0.02f, .own = &lesson, .turn = turn, .draw = draw, .key = key};
+
 extern const struct lesson lesson_curves;
-const struct lesson lesson_curves = {.name = "curves",
-                                     .title = "Curves and surfaces",
-                                     .keys = "space page  n point  wasd move  + - value  p pause",
-                                     .state = &lesson,
-                                     .begin = begin,
-                                     .key = key,
-                                     .draw = draw};
+const struct lesson lesson_curves = {
+    "curves",  "Curves and surfaces", PAGES_TURN "  tab arrows point  + - value",
+    &pages,    pages_begin,           pages_key,
+    pages_draw};

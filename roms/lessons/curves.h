@@ -2,8 +2,7 @@
  *
  *      lesson_curves: time, keys ──▶ struct curves_view ──▶ curves_page.draw
  *
- * Models:     pages that run one after the other until a key is pressed; points that drift until
- *             one is moved; a value that swings until it is set.
+ * Models:     pages (pages.h); points that drift until one is moved; a value that swings until it is set.
  * Units:      stage units; seconds.
  * Ownership:  the lesson's; pages only look.
  * Errors:     none.

@@ -5,6 +5,7 @@
 
 #include "roms/geometry/scalar.h"
 #include "roms/lessons/lesson.h"
+#include "roms/lessons/pages.h"
 #include "roms/raster/line_antialiased.h"
 #include "roms/raster/line_bresenham.h"
 #include "roms/raster/line_dda.h"
@@ -15,9 +16,10 @@ enum {
     SAMPLES = 120, /* of each curve */
     WAYS = 3,      /* floats, fractions, Bresenham */
     LINES = 4,
-    RUN = 8,   /* seconds that a line takes */
-    REST = 4,  /* … and that it is shown for afterwards */
-    SPIN = 16, /* seconds of aliasing */
+    PAGES = LINES + 1, /* the last: aliasing */
+    RUN = 8,           /* seconds that a line takes */
+    REST = 4,          /* … and that it is shown for afterwards */
+    SPIN = 16,         /* seconds of aliasing */
     TEXT = 64,
 };
 
@@ -30,9 +32,7 @@ static const char *const names[WAYS] = {"float", "fractions", "Bresenham"};
 static const enum ink inks[WAYS] = {INK_ORANGE, INK_VIOLET, INK_GREEN};
 
 static struct drift {
-    bool aliasing, stopped;
-    int line;           /* of long_lines */
-    float time, before; /* since this part began; at the last picture */
+    int line; /* of long_lines */
     struct line_dda dda;
     struct line_dda_integer fractions;
     struct line_bresenham bresenham;
@@ -42,38 +42,17 @@ static struct drift {
     int wrong[WAYS]; /* pixels that are not the nearest */
 } the_drift;
 
-static void start(struct drift *d, int line)
+static void turn(void *own, int page)
 {
-    int x = long_lines[line].length, y = long_lines[line].rise;
-    d->line = line;
-    d->time = 0;
-    d->samples = 0;
-    memset(d->wrong, 0, sizeof d->wrong);
-    line_dda_begin(&d->dda, 0, 0, x, y);
-    line_dda_integer_begin(&d->fractions, 0, 0, x, y, long_lines[line].bits);
-    line_bresenham_begin(&d->bresenham, 0, 0, x, y);
-}
-
-static void begin(void *state)
-{
-    struct drift *d = state;
+    struct drift *d = own;
     memset(d, 0, sizeof *d);
-    start(d, 0);
-}
-
-static void key(void *state, int k)
-{
-    struct drift *d = state;
-    if (k == 'n' || k == KEY_RIGHT)
-        start(d, (d->line + 1) % LINES);
-    else if (k == KEY_LEFT)
-        start(d, (d->line + LINES - 1) % LINES);
-    else if (k == ' ')
-        d->stopped = !d->stopped;
-    else if (k == 'a') {
-        d->aliasing = !d->aliasing;
-        start(d, d->line);
-    }
+    if (page == LINES)
+        return;
+    int x = long_lines[page].length, y = long_lines[page].rise;
+    d->line = page;
+    line_dda_begin(&d->dda, 0, 0, x, y);
+    line_dda_integer_begin(&d->fractions, 0, 0, x, y, long_lines[page].bits);
+    line_bresenham_begin(&d->bresenham, 0, 0, x, y);
 }
 
 /* ---- drift ----------------------------------------------------------------------------------- */
@@ -214,14 +193,14 @@ static void draw_figures(const struct drift *d, struct stage *stage)
     }
 }
 
-static void draw_drift(struct drift *d, struct stage *stage)
+static void draw_drift(struct drift *d, struct stage *stage, float seconds)
 {
-    float share = d->time / RUN;
+    float share = seconds / RUN;
     run_to(d, (int)((share < 1 ? share : 1) * (float)d->dda.last));
     struct plot plot = draw_axes(d, stage);
     draw_curves(d, &plot);
     draw_figures(d, stage);
-    stage_title(stage, "Drift: error of the sum, in pixels, along a line");
+    stage_title(stage, "Drift: the error of the sum, in pixels");
     stage_caption(stage, "Each addition rounds; a long line drifts away. "
                          "A whole pixel off, all pixels are wrong.");
 }
@@ -281,9 +260,9 @@ static void draw_enlarged(struct stage *stage, float left, float angle, bool smo
     stage_text_middle(stage, left + GRID_SIDE / 2, 760, smooth ? "antialiased" : "Bresenham");
 }
 
-static void draw_aliasing(struct drift *d, struct stage *stage)
+static void draw_aliasing(struct stage *stage, float seconds)
 {
-    float angle = 0.15f * d->time;
+    float angle = 0.15f * seconds;
     draw_enlarged(stage, 0, angle, false);
     draw_enlarged(stage, STAGE_WIDTH - GRID_SIDE, angle, true);
     stage_title(stage, "Aliasing: a line of pixels has steps");
@@ -292,28 +271,18 @@ static void draw_aliasing(struct drift *d, struct stage *stage)
                   "covers make it calm.");
 }
 
-static float draw(void *state, struct stage *stage, float seconds)
+static float draw(void *own, struct stage *stage, int page, float seconds)
 {
-    struct drift *d = state;
-    if (!d->stopped)
-        d->time += seconds - d->before;
-    d->before = seconds;
-    if (d->time > (d->aliasing ? SPIN : RUN + REST)) {
-        d->aliasing = !d->aliasing;
-        start(d, d->aliasing ? d->line : (d->line + 1) % LINES);
-    }
-    if (d->aliasing)
-        draw_aliasing(d, stage);
+    if (page < LINES)
+        draw_drift(own, stage, seconds);
     else
-        draw_drift(d, stage);
-    return 0.03f;
+        draw_aliasing(stage, seconds);
+    return page < LINES ? RUN + REST : SPIN;
 }
 
+static struct pages pages = {
+    .count = PAGES, .again = 0.03f, .own = &the_drift, .turn = turn, .draw = draw};
+
 extern const struct lesson lesson_drift;
-const struct lesson lesson_drift = {"drift",
-                                    "Drift and aliasing of lines",
-                                    "n next line  a aliasing  space stop",
-                                    &the_drift,
-                                    begin,
-                                    key,
-                                    draw};
+const struct lesson lesson_drift = {
+    "drift", "Drift and aliasing of lines", PAGES_KEYS, &pages, pages_begin, pages_key, pages_draw};

@@ -2,10 +2,8 @@
 #include "roms/lessons/gallery_art.h"
 
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/pages.h"
 #include "roms/raster/polygon_fill.h"
-
-enum { SCENES = 4, SECONDS = 20 };
 
 void art_area(struct stage *s, const struct point2 *p, int count, uint32_t colour, enum ink vector)
 {
@@ -23,29 +21,20 @@ void art_area(struct stage *s, const struct point2 *p, int count, uint32_t colou
     stage_heads(s, STAGE_BOTH);
 }
 
-static void begin(void *state)
-{
-    scenes_begin((struct scenes *)state, SCENES);
-}
+static const struct page table[] = {
+    {"Guilloche", "Three circular motions, added; each curve a little further on than the last.",
+     20, art_guilloche},
+    {"Whirls", "Triangles in triangles: every corner a little further along the next one's edge.",
+     20, art_whirls},
+    {"Kaleidoscope", "Ten shards drift between two mirrors, 30 degrees apart.", 20,
+     art_kaleidoscope},
+    {"Lettering", "The dots of the font, on a cloth that waves, in perspective.", 20,
+     art_lettering},
+};
 
-static void key(void *state, int k)
-{
-    scenes_key((struct scenes *)state, k);
-}
-
-static float draw(void *state, struct stage *s, float seconds)
-{
-    static void (*const works[SCENES])(struct stage *, float) = {art_guilloche, art_whirls,
-                                                                 art_kaleidoscope, art_lettering};
-    struct scenes *scenes = (struct scenes *)state;
-    float t = scenes_since(scenes, seconds);
-    works[scenes->scene](s, t);
-    scenes_end_after(scenes, SECONDS);
-    return 0.02f;
-}
-
-static struct scenes lesson_state;
+static struct pages pages = {
+    .page = table, .count = sizeof table / sizeof table[0], .again = 0.02f};
 
 extern const struct lesson lesson_gallery_art;
-const struct lesson lesson_gallery_art = {
-    "art", "Gallery: art", SCENES_KEYS, &lesson_state, begin, key, draw};
+const struct lesson lesson_gallery_art = {"art",       "Gallery: art", PAGES_KEYS, &pages,
+                                          pages_begin, pages_key,      pages_draw};

@@ -38,7 +38,7 @@ static void whirl(struct stage *s, const struct point2 *corners, float step, boo
 
 void art_whirls(struct stage *s, float seconds)
 {
-    enum { SIDES = 6, RADIUS = 395 };
+    enum { SIDES = 6, RADIUS = 375 };
     static const enum ink_ramp ramps[] = {RAMP_COPPER, RAMP_BLUE, RAMP_GOLD};
     float turn = seconds * 0.07f, step = 0.11f + 0.07f * sinf(seconds * 0.4f);
     for (int i = 0; i < SIDES; i++) {
@@ -46,9 +46,6 @@ void art_whirls(struct stage *s, float seconds)
                               polar(RADIUS, turn + PI / 3 * (float)(i + 1))};
         whirl(s, p, step, i % 2 == 0, ramps[i % 3]);
     }
-    stage_title(s, "Whirls");
-    stage_caption(
-        s, "Triangles in triangles: every corner a little further along the next one's edge.");
 }
 
 /* ---- kaleidoscope ---------------------------------------------------------------------------- */
@@ -135,6 +132,4 @@ void art_kaleidoscope(struct stage *s, float seconds)
         if (count >= 3)
             images(s, whole, count, ink_shade(ramps[i % 5], light), inks[i % 3]);
     }
-    stage_title(s, "Kaleidoscope");
-    stage_caption(s, "Ten shards drift between two mirrors, 30 degrees apart.");
 }

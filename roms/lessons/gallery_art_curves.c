@@ -72,7 +72,4 @@ void art_guilloche(struct stage *s, float seconds)
         stage_ink(s, inks[i * 3 / CURVES]);
         curve(s, &circle, &m, ramp, i % (CURVES / VECTOR_CURVES) == 1);
     }
-    stage_title(s, "Guilloche");
-    stage_caption(s,
-                  "Three circular motions, added; each curve a little further on than the last.");
 }

@@ -83,6 +83,4 @@ void art_lettering(struct stage *s, float seconds)
             letter(s, words[k][i], -0.95f + width * ((float)i + 0.06f), 1.02f - high * (float)k,
                    width, high, seconds);
     }
-    stage_title(s, "Lettering");
-    stage_caption(s, "The dots of the font, on a cloth that waves, in perspective.");
 }

@@ -55,19 +55,21 @@ static void change(struct cad *c, int which, float by)
 static void key(void *state, int k)
 {
     struct cad *c = state;
-    if (k == 'n' || k == '\t' || k == KEY_DOWN)
-        c->chosen = (c->chosen + 1) % DIMENSIONS;
-    else if (k == 'p' || k == KEY_UP)
-        c->chosen = (c->chosen + DIMENSIONS - 1) % DIMENSIONS;
-    else if (k == '+' || k == '=' || k == KEY_RIGHT)
-        change(c, c->chosen, 2);
-    else if (k == '-' || k == KEY_LEFT)
-        change(c, c->chosen, -2);
-    else if (k == 'h')
+    if (k == 'h') {
         c->hidden = !c->hidden;
-    else
         return;
-    c->by_hand = c->by_hand || k != 'h';
+    }
+    if (k == KEY_DOWN)
+        c->chosen = (c->chosen + 1) % DIMENSIONS;
+    else if (k == KEY_UP)
+        c->chosen = (c->chosen + DIMENSIONS - 1) % DIMENSIONS;
+    else if (k == '+' || k == '=')
+        change(c, c->chosen, 2);
+    else if (k == '-')
+        change(c, c->chosen, -2);
+    else if (k != 'p')
+        return;
+    c->by_hand = k != 'p' || !c->by_hand;
 }
 
 /* One dimension after the other swings about its usual value. */
@@ -282,7 +284,7 @@ static float draw(void *state, struct stage *stage, float seconds)
 extern const struct lesson lesson_gallery_cad;
 const struct lesson lesson_gallery_cad = {"cad",
                                           "Gallery: computer-aided design",
-                                          "n p dimension  + - change  h hidden edges",
+                                          "up down dimension  + - change  p pause  h hidden edges",
                                           &cad,
                                           begin,
                                           key,

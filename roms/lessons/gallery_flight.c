@@ -53,19 +53,15 @@ static bool move_stick(struct flight_stick *k, int key)
     const float nose = 1.5f * DEGREE, wing = 5 * DEGREE;
     switch (key) {
     case KEY_UP:
-    case 'w':
         k->pitch = scalar_clamp(k->pitch + nose, -0.4f, 0.45f);
         return true;
     case KEY_DOWN:
-    case 's':
         k->pitch = scalar_clamp(k->pitch - nose, -0.4f, 0.45f);
         return true;
     case KEY_LEFT:
-    case 'a':
         k->bank = scalar_clamp(k->bank - wing, -1, 1);
         return true;
     case KEY_RIGHT:
-    case 'd':
         k->bank = scalar_clamp(k->bank + wing, -1, 1);
         return true;
     case '+':
@@ -155,10 +151,11 @@ static float draw(void *ctx, struct stage *stage, float seconds)
 static struct state state;
 
 extern const struct lesson lesson_gallery_flight;
-const struct lesson lesson_gallery_flight = {"flight",
-                                             "Gallery: flight simulator",
-                                             "arrows stick  + - power  b brakes  space autopilot",
-                                             &state,
-                                             begin,
-                                             key,
-                                             draw};
+const struct lesson lesson_gallery_flight = {
+    "flight",
+    "Gallery: flight simulator",
+    "arrows stick  + - power  b brakes  r again  space autopilot",
+    &state,
+    begin,
+    key,
+    draw};

@@ -74,7 +74,7 @@ static void step(struct inbetween *l, int frames)
 static void key(void *state, int k)
 {
     struct inbetween *l = state;
-    if (k == 'l' || k == ' ')
+    if (k == 'l')
         l->path = (enum key_path)((l->path + 1) % KEY_PATHS);
     else if (k == 'e')
         l->timing = (enum key_timing)((l->timing + 1) % KEY_TIMINGS);
@@ -84,13 +84,13 @@ static void key(void *state, int k)
         l->skins = l->skins > 0 ? l->skins - 1 : 0;
     else if (k == 'p')
         l->playing = !l->playing;
-    else if (k == 'a' || k == KEY_LEFT)
+    else if (k == KEY_LEFT)
         step(l, -1);
-    else if (k == 'd' || k == KEY_RIGHT)
+    else if (k == KEY_RIGHT)
         step(l, 1);
     else
         return;
-    l->steered = l->steered || k == 'l' || k == ' ' || k == 'e';
+    l->steered = l->steered || k == 'l' || k == 'e';
 }
 
 /* ---- frames ---- */
@@ -280,11 +280,11 @@ static float draw(void *state, struct stage *s, float seconds)
 }
 
 extern const struct lesson lesson_gallery_inbetween;
-const struct lesson lesson_gallery_inbetween = {.name = "inbetween",
-                                                .title = "Gallery: key frames and in-betweens",
-                                                .keys =
-                                                    "l path  e ease  p play  a d frame  + - skins",
-                                                .state = &lesson,
-                                                .begin = begin,
-                                                .key = key,
-                                                .draw = draw};
+const struct lesson lesson_gallery_inbetween = {
+    .name = "inbetween",
+    .title = "Gallery: key frames and in-betweens",
+    .keys = "l path  e ease  p pause  arrows frame  + - skins",
+    .state = &lesson,
+    .begin = begin,
+    .key = key,
+    .draw = draw};

@@ -246,7 +246,6 @@ static void key(void *state, int k)
         move(d, d->pointer.x, d->pointer.y - STEP);
         break;
     case ' ':
-    case '\r':
         click(d);
         break;
     case 'n':
@@ -281,11 +280,10 @@ static float draw(void *state, struct stage *s, float seconds)
 static struct desk lesson_state;
 
 extern const struct lesson lesson_gallery_interface;
-const struct lesson lesson_gallery_interface = {
-    "interface",
-    "Gallery: user interface",
-    "arrows point   space click, drop   n next   t tile",
-    &lesson_state,
-    begin,
-    key,
-    draw};
+const struct lesson lesson_gallery_interface = {"interface",
+                                                "Gallery: user interface",
+                                                "arrows point  space click, drop  n next  t tile",
+                                                &lesson_state,
+                                                begin,
+                                                key,
+                                                draw};

@@ -313,13 +313,13 @@ static void key(void *state, int k)
         v->turn = fmodf(v->turn + 350, 360);
     else if (k == '0')
         *v = tour[0];
-    else if (k == KEY_LEFT || k == 'a')
+    else if (k == KEY_LEFT)
         pan(-1, 0);
-    else if (k == KEY_RIGHT || k == 'd')
+    else if (k == KEY_RIGHT)
         pan(1, 0);
-    else if (k == KEY_UP || k == 'w')
+    else if (k == KEY_UP)
         pan(0, 1);
-    else if (k == KEY_DOWN || k == 's')
+    else if (k == KEY_DOWN)
         pan(0, -1);
 }
 

@@ -6,10 +6,8 @@
 
 #include "roms/geometry/scalar.h"
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/pages.h"
 #include "roms/raster/line_thick.h"
-
-enum { SCENES = 4, SECONDS = 15 };
 
 struct point2 plot_canvas(const struct stage *s, struct point2 p)
 {
@@ -131,9 +129,6 @@ void plot_lines(struct stage *s, float seconds)
     legend(s, 720, INK_ORANGE, "lynxes");
     plot_polyline(s, hares, shown, 4, INK_CYAN);
     plot_polyline(s, lynxes, shown, 4, INK_ORANGE);
-    stage_title(s, "A line chart");
-    stage_caption(s, "Lotka's and Volterra's equations, integrated here after Runge and Kutta: the "
-                     "hunters follow the hunted.");
 }
 
 /* ---- bars: sums of dice ---------------------------------------------------------------------- */
@@ -182,10 +177,6 @@ void plot_bars(struct stage *s, float seconds)
     snprintf(text, sizeof text, "%d throws", throws);
     stage_ink(s, INK_BRIGHT);
     stage_text(s, 880, TOP + 30, text);
-    stage_title(s, "A bar chart");
-    stage_caption(
-        s, "Dice are thrown here; the more of them, the nearer their sums come to the normal "
-           "distribution.");
 }
 
 /* ---- pie: factors of numbers ----------------------------------------------------------------- */
@@ -253,35 +244,30 @@ void plot_pie(struct stage *s, float seconds)
     snprintf(text, sizeof text, "numbers from 2 to %d", most);
     stage_ink(s, INK_BRIGHT);
     stage_text(s, 790, 700, text);
-    stage_title(s, "A pie chart");
-    stage_caption(s, "Numbers by how many prime factors they have: primes become rare.");
 }
 
 /* ---- the program ----------------------------------------------------------------------------- */
 
-static void begin(void *state)
-{
-    scenes_begin((struct scenes *)state, SCENES);
-}
+static const struct page table[] = {
+    {"A line chart",
+     "Lotka's and Volterra's equations, integrated here after Runge and Kutta: the hunters follow "
+     "the hunted.",
+     15, plot_lines},
+    {"A bar chart",
+     "Dice are thrown here; the more of them, the nearer their sums come to the normal "
+     "distribution.",
+     15, plot_bars},
+    {"A pie chart", "Numbers by how many prime factors they have: primes become rare.", 15,
+     plot_pie},
+    {"A function of two variables",
+     "Waves from two places, with hidden parts left out: pixels from back to front; lines from "
+     "front to back, above or below all before.",
+     15, plot_surface},
+};
 
-static void key(void *state, int k)
-{
-    scenes_key((struct scenes *)state, k);
-}
-
-static float draw(void *state, struct stage *s, float seconds)
-{
-    static void (*const plots[SCENES])(struct stage *, float) = {plot_lines, plot_bars, plot_pie,
-                                                                 plot_surface};
-    struct scenes *scenes = (struct scenes *)state;
-    float t = scenes_since(scenes, seconds);
-    plots[scenes->scene](s, t);
-    scenes_end_after(scenes, SECONDS);
-    return 0.04f;
-}
-
-static struct scenes lesson_state;
+static struct pages pages = {
+    .page = table, .count = sizeof table / sizeof table[0], .again = 0.04f};
 
 extern const struct lesson lesson_gallery_plotting;
-const struct lesson lesson_gallery_plotting = {
-    "plotting", "Gallery: plotting", SCENES_KEYS, &lesson_state, begin, key, draw};
+const struct lesson lesson_gallery_plotting = {"plotting",  "Gallery: plotting", PAGES_KEYS, &pages,
+                                               pages_begin, pages_key,           pages_draw};

@@ -132,8 +132,4 @@ void plot_surface(struct stage *stage, float seconds)
     compute(&s, seconds);
     draw_raster(stage, &s);
     draw_vector(stage, &s);
-    stage_title(stage, "A function of two variables");
-    stage_caption(stage,
-                  "Waves from two places, with hidden parts left out: pixels from back to front; "
-                  "lines from front to back, above or below all before.");
 }

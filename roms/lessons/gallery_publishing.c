@@ -98,7 +98,7 @@ static struct publishing lesson_state;
 extern const struct lesson lesson_gallery_publishing;
 const struct lesson lesson_gallery_publishing = {"publishing",
                                                  "Gallery: electronic publishing",
-                                                 "+ - zoom   arrows move   space tour",
+                                                 "+ - zoom  arrows move  space tour",
                                                  &lesson_state,
                                                  begin,
                                                  key,

@@ -5,14 +5,13 @@
 
 #include "roms/lessons/field.h"
 #include "roms/lessons/lesson.h"
+#include "roms/lessons/pages.h"
 #include "roms/lessons/relief.h"
 
 static struct {
     struct field field;
     struct relief relief;
-    int which;
-    bool hold, changed;
-    float since, last, yaw, by_hand;
+    float by_hand; /* degrees */
 } visual;
 
 static const struct {
@@ -30,61 +29,40 @@ static const struct {
 
 enum { SECONDS = 16 };
 
-static void start(int which)
+static void turn(void *own, int page)
 {
-    visual.which = which;
-    visual.changed = true;
-    field_begin(&visual.field, (enum field_kind)which);
-}
-
-static void begin(void *state)
-{
-    (void)state;
-    visual.hold = false;
+    (void)own;
     visual.by_hand = 0;
-    visual.last = 0;
-    start(0);
+    field_begin(&visual.field, (enum field_kind)page);
 }
 
-static void key(void *state, int k)
+static bool key(void *own, int k)
 {
-    (void)state;
-    if (k == ' ')
-        start((visual.which + 1) % FIELDS);
-    else if (k == 'h')
-        visual.hold = !visual.hold;
-    else if (k == '+' || k == KEY_RIGHT)
-        visual.by_hand += 10;
-    else if (k == '-' || k == KEY_LEFT)
-        visual.by_hand -= 10;
+    (void)own;
+    if (k != KEY_RIGHT && k != KEY_LEFT)
+        return false;
+    visual.by_hand += k == KEY_RIGHT ? 10 : -10;
+    return true;
 }
 
-static float draw(void *state, struct stage *stage, float seconds)
+static float draw(void *own, struct stage *stage, int page, float seconds)
 {
-    (void)state;
-    if (visual.changed) {
-        visual.changed = false;
-        visual.since = seconds;
-        visual.last = seconds;
-    }
-    if (!visual.hold && seconds - visual.since > SECONDS) {
-        start((visual.which + 1) % FIELDS);
-        visual.changed = false;
-        visual.since = seconds;
-    }
-    field_until(&visual.field, seconds - visual.since);
-    stage_title(stage, pictures[visual.which].title);
+    (void)own;
+    field_until(&visual.field, seconds);
+    stage_title(stage, pictures[page].title);
     relief_draw(&visual.relief, stage, &visual.field,
                 25 * sinf(0.2f * seconds) - 20 + visual.by_hand);
-    stage_caption(stage, pictures[visual.which].caption);
-    return 0;
+    stage_caption(stage, pictures[page].caption);
+    return SECONDS;
 }
+
+static struct pages pages = {.count = FIELDS, .turn = turn, .draw = draw, .key = key};
 
 extern const struct lesson lesson_gallery_visual;
 const struct lesson lesson_gallery_visual = {"visual",
                                              "Gallery: scientific visualization",
-                                             "space field  + - turn  h hold",
-                                             NULL,
-                                             begin,
-                                             key,
-                                             draw};
+                                             PAGES_KEYS "  arrows turn",
+                                             &pages,
+                                             pages_begin,
+                                             pages_key,
+                                             pages_draw};

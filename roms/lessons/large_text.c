@@ -48,7 +48,7 @@ static void element(char *text, size_t size, float v)
 
 void large_matrix3(struct stage *s, float x, float y, const struct matrix3 *m)
 {
-    enum { COLUMN = 166, BRACKET = 14 };
+    enum { COLUMN = 178, BRACKET = 14 };
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 3; k++) {
             char text[16];

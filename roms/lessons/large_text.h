@@ -12,7 +12,7 @@
 #include "roms/geometry/matrix3.h"
 #include "roms/stage/stage.h"
 
-enum { LARGE_ADVANCE = 31, LARGE_LINE = 56, LARGE_MATRIX_WIDTH = 500 };
+enum { LARGE_ADVANCE = 31, LARGE_LINE = 56, LARGE_MATRIX_WIDTH = 530 };
 
 /* Base line begins at x, y; about x. */
 void large_text(struct stage *stage, float x, float y, const char *text);

@@ -57,20 +57,24 @@ static void turn(struct clock *c, int by)
 static void key(void *state, int k)
 {
     struct clock *c = state;
-    if (k == 'd')
-        c->whole = !c->whole;
-    else if (k == ' ')
-        c->stopped = !c->stopped;
-    else if (k == '+' && c->speed < 40)
-        c->speed *= 1.5f;
-    else if (k == '-' && c->speed > 0.5f)
-        c->speed /= 1.5f;
+    if (k == ' ')
+        turn(c, HURRY);
+    else if (k == 'b')
+        turn(c, -HURRY);
     else if (k == KEY_RIGHT)
         turn(c, 1);
     else if (k == KEY_LEFT)
         turn(c, -1);
-    else if (k == 'n' || k == '\r' || k == '\n')
+    else if (k == 'p')
+        c->stopped = !c->stopped;
+    else if (k == 'n')
         c->step += 1;
+    else if ((k == '+' || k == '=') && c->speed < 40)
+        c->speed *= 1.5f;
+    else if (k == '-' && c->speed > 0.5f)
+        c->speed /= 1.5f;
+    else if (k == 'd')
+        c->whole = !c->whole;
 }
 
 static void pass(struct clock *c, float seconds)
@@ -212,7 +216,7 @@ static float draw(void *state, struct stage *stage, float seconds)
 extern const struct lesson lesson_lines;
 const struct lesson lesson_lines = {"lines",
                                     "Lines: DDA and Bresenham",
-                                    "arrows turn  + - speed  space stop  n step  d DDA",
+                                    "space b line  arrows turn  p pause  n step  + - pace  d DDA",
                                     &the_clock,
                                     begin,
                                     key,

@@ -3,7 +3,8 @@
 #include <math.h>
 
 /* Bilinear: f across and g up, in 256ths. */
-static int between(const int16_t grid[MAP_ROWS][MAP_COLUMNS], int column, int row, int f, int g)
+static inline int between(const int16_t grid[MAP_ROWS][MAP_COLUMNS], int column, int row, int f,
+                          int g)
 {
     const int16_t *low = &grid[row][column], *high = &grid[row + 1][column];
     int a = low[0] * (256 - f) + low[1] * f, b = high[0] * (256 - f) + high[1] * f;
@@ -11,7 +12,7 @@ static int between(const int16_t grid[MAP_ROWS][MAP_COLUMNS], int column, int ro
 }
 
 /* Heights have tints from contour to contour, light makes them lighter and darker. */
-static uint8_t shade(int height, int light)
+static inline uint8_t shade(int height, int light)
 {
     static const uint8_t ramps[] = {RAMP_GREEN,  RAMP_GREEN,  RAMP_GOLD, RAMP_GOLD,
                                     RAMP_COPPER, RAMP_COPPER, RAMP_GREY};
@@ -25,21 +26,63 @@ static uint8_t shade(int height, int light)
     return (uint8_t)(16 + ramps[band] * INK_LEVELS + level);
 }
 
+/* What is at a place, in cells of the grid · 65536: the deep sea beyond it. */
+struct spot {
+    int height, light;
+};
+
+static inline struct spot spot_at(const struct map_terrain *t, int32_t u, int32_t v)
+{
+    static const struct spot deep = {-480, 0};
+    int column = u >> 16, line = v >> 16;
+    if (column < 0 || column >= MAP_COLUMNS - 1 || line < 0 || line >= MAP_ROWS - 1)
+        return deep;
+    int f = u >> 8 & 255, g = v >> 8 & 255;
+    return (struct spot){between(t->fixed, column, line, f, g),
+                         between(t->light, column, line, f, g)};
+}
+
+/* Pairs from one spot to another, those between in equal steps; `bits`: how many, as a power of 2.
+ */
+static inline void blend(uint8_t *row, uint32_t pitch, int pairs, struct spot a, struct spot b,
+                         int bits)
+{
+    enum { FRACTION = 8 };
+    int height = a.height << FRACTION, light = a.light << FRACTION;
+    int up = (b.height << FRACTION) - height, brighter = (b.light << FRACTION) - light;
+    up >>= bits;
+    brighter >>= bits;
+    for (int i = 0; i < pairs; i++, row += 2, height += up, light += brighter) {
+        unsigned ink = shade(height >> FRACTION, light >> FRACTION);
+        uint16_t *first = (uint16_t *)(void *)row, *second = (uint16_t *)(void *)(row + pitch);
+        *first = *second = (uint16_t)(ink | ink << 8); /* left and pitch are even */
+    }
+}
+
+/* How many pairs, as a power of 2, are at most a cell's side. */
+static int pairs_a_cell(int32_t du, int32_t dv)
+{
+    enum { MOST = 4 };
+    uint32_t x = (uint32_t)(du < 0 ? -du : du), y = (uint32_t)(dv < 0 ? -dv : dv);
+    int bits = 0;
+    while (bits < MOST && (x > y ? x : y) << (bits + 1) <= 65536)
+        bits++;
+    return bits;
+}
+
 /* Pairs of pixels of two rows; u, v: the place in cells of the grid · 65536, du, dv: a pair
- * further. */
+ * further. Within a cell heights and light are straight along the row. */
 static void row_pair(uint8_t *row, uint32_t pitch, int pairs, const struct map_terrain *t,
                      int32_t u, int32_t v, int32_t du, int32_t dv)
 {
-    static const uint8_t deep = 16 + RAMP_BLUE * INK_LEVELS + 8;
-    for (int i = 0; i < pairs; i++, row += 2, u += du, v += dv) {
-        int column = u >> 16, line = v >> 16;
-        uint8_t ink = deep;
-        if (column >= 0 && column < MAP_COLUMNS - 1 && line >= 0 && line < MAP_ROWS - 1) {
-            int f = u >> 8 & 255, g = v >> 8 & 255;
-            int height = between(t->fixed, column, line, f, g);
-            ink = shade(height, height < 0 ? 0 : between(t->light, column, line, f, g));
-        }
-        row[0] = row[1] = row[pitch] = row[pitch + 1] = ink;
+    int bits = pairs_a_cell(du, dv), apart = 1 << bits;
+    struct spot a = spot_at(t, u, v);
+    for (int i = 0; i < pairs; i += apart) {
+        u += du * apart;
+        v += dv * apart;
+        struct spot b = spot_at(t, u, v);
+        blend(row + 2 * i, pitch, pairs - i < apart ? pairs - i : apart, a, b, bits);
+        a = b;
     }
 }
 

@@ -1,6 +1,6 @@
 /* plane.c — the lesson on transformations of the plane: a boat is moved, turned, mirrored, sheared.
  *
- *      scene: steps, first to last ──▶ the boat goes through them ──▶ product so far, as a matrix
+ *      page:  steps, first to last ──▶ the boat goes through them ──▶ product so far, as a matrix
  */
 #include <math.h>
 #include <stdio.h>
@@ -10,7 +10,7 @@
 #include "roms/geometry/transform2.h"
 #include "roms/lessons/large_text.h"
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/scenes.h"
+#include "roms/lessons/pages.h"
 #include "roms/stage/graph.h"
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
@@ -24,7 +24,7 @@ struct step {
     float a, b;
 };
 
-struct scene {
+struct transformation {
     const char *title, *caption;
     struct step way[WAYS]
                    [STEPS]; /* up to one without a name; a second way is drawn beside the first */
@@ -33,12 +33,12 @@ struct scene {
     float m, c; /* of the mirror */
 };
 
-static const struct scene scenes[] = {
+static const struct transformation table[] = {
     {.title = "Translation: x' = x + tx, y' = y + ty",
      .caption = "Every point moves by the same amount: the last column.",
      .way = {{{"T(-5,1.5)", TRANSLATE, -5, 1.5f}, {"T(1,-5)", TRANSLATE, 1, -5}}}},
-    {.title = "Rotation about the origin, anticlockwise positive",
-     .caption = "Lengths stay; the origin stays. R(90) has only 0, 1 and -1.",
+    {.title = "Rotation about the origin",
+     .caption = "Anticlockwise is positive. Lengths stay; R(90) has only 0, 1 and -1.",
      .way = {{{"R(90)", ROTATE, 90, 0}, {"R(120)", ROTATE, 120, 0}, {"R(-60)", ROTATE, -60, 0}}}},
     {.title = "Scaling about the origin",
      .caption = "Above 1: larger and farther from the origin; below 1: the reverse.",
@@ -65,7 +65,7 @@ static const struct scene scenes[] = {
     {.title = "Shear: x' = x + k y, then y' = y + k x",
      .caption = "Points of the axis stay, others slide: the farther, the more.",
      .way = {{{"x-shear 0.8", SHEAR_X, 0.8f, 0}, {"y-shear -0.7", SHEAR_Y, -0.7f, 0}}}},
-    {.title = "Rotation about a pivot: T(x,y) R T(-x,-y)",
+    {.title = "Rotation about a pivot, in three steps",
      .caption = "Pivot to the origin, turn there, and back: one matrix does all three.",
      .way = {{{"T(-3.4,-1.2)", TRANSLATE, -3.4f, -1.2f},
               {"R(75)", ROTATE, 75, 0},
@@ -81,10 +81,10 @@ static const struct scene scenes[] = {
      .marked = true},
     {.title = "Order matters: matrices do not commute",
      .caption = "Turned and then moved, or moved and then turned: not the same place.",
-     .way = {{{"R(90)", ROTATE, 90, 0}, {"T(4,0)", TRANSLATE, 4, 0}},
-             {{"T(4,0)", TRANSLATE, 4, 0}, {"R(90)", ROTATE, 90, 0}}}},
+     .way = {{{"R(90)", ROTATE, 90, 0}, {"T(2.5,0)", TRANSLATE, 2.5f, 0}},
+             {{"T(2.5,0)", TRANSLATE, 2.5f, 0}, {"R(90)", ROTATE, 90, 0}}}},
 };
-enum { SCENES = sizeof scenes / sizeof scenes[0] };
+enum { PAGES = sizeof table / sizeof table[0] };
 
 /* A part of the way: rotations by a part of the angle, the others on a straight line to the end. */
 static struct matrix3 step_matrix(const struct step *s, float part)
@@ -129,7 +129,7 @@ static int steps_of(const struct step *way)
     return n;
 }
 
-static int longest(const struct scene *s)
+static int longest(const struct transformation *s)
 {
     int a = steps_of(s->way[0]), b = steps_of(s->way[1]);
     return a > b ? a : b;
@@ -157,11 +157,11 @@ static const struct clip_window shown = {-6, -7, 6, 7};
 static struct graph graph_of(struct stage *stage)
 {
     return (struct graph){.stage = stage,
-                          .scale = 57,
+                          .scale = 55,
                           .left = 0,
                           .bottom = 0,
-                          .width = 684,
-                          .height = 798,
+                          .width = 660,
+                          .height = 770,
                           .x_min = shown.x_min,
                           .y_min = shown.y_min,
                           .x_max = shown.x_max,
@@ -202,8 +202,6 @@ static void draw_ghost(const struct graph *g, const struct matrix3 *m, enum ink 
 
 /* ---- the picture ----------------------------------------------------------------------------- */
 
-static struct scenes plane_scenes;
-
 #define STEP_SECONDS 3.2f
 #define MOVE_SECONDS 2.2f
 #define LAST_SECONDS 3.0f
@@ -223,7 +221,8 @@ static void ruled_paper(const struct graph *g)
 }
 
 /* A line through the shown part of the world, after a transformation. */
-static void draw_mirror(const struct graph *g, const struct scene *s, const struct matrix3 *m)
+static void draw_mirror(const struct graph *g, const struct transformation *s,
+                        const struct matrix3 *m)
 {
     struct point2 a = matrix3_apply(m, (struct point2){-30, s->c - 30 * s->m});
     struct point2 b = matrix3_apply(m, (struct point2){30, s->c + 30 * s->m});
@@ -233,7 +232,8 @@ static void draw_mirror(const struct graph *g, const struct scene *s, const stru
 
 /* The mirror, or the point that stays: where they are, and where the steps so far have brought
  * them. */
-static void draw_marks(const struct graph *g, const struct scene *s, const struct matrix3 *m)
+static void draw_marks(const struct graph *g, const struct transformation *s,
+                       const struct matrix3 *m)
 {
     const struct matrix3 same = matrix3_identity();
     if (s->lined) {
@@ -270,14 +270,16 @@ static struct matrix3 go(const struct graph *g, const struct step *way, float se
     return product;
 }
 
-static void list_steps(struct stage *s, const struct step *way, float x, float seconds)
+enum { PANEL = 680 }; /* where the text beside the graph begins */
+
+static void list_steps(struct stage *s, const struct step *way, float top_row, float seconds)
 {
     for (int i = 0; i < steps_of(way); i++) {
         char text[32];
         bool now = seconds >= (float)i * STEP_SECONDS && seconds < (float)(i + 1) * STEP_SECONDS;
         stage_ink(s, now ? INK_YELLOW : seconds < (float)i * STEP_SECONDS ? INK_GRID : INK_TEXT);
         snprintf(text, sizeof text, "%d %s", i + 1, way[i].name);
-        large_text(s, x, 740 - (float)i * LARGE_LINE, text);
+        large_text(s, PANEL, 730 - ((float)i + top_row) * LARGE_LINE, text);
     }
 }
 
@@ -290,52 +292,42 @@ static void point_p(const struct graph *g, const struct matrix3 *m)
 
 static void matrix_panel(struct stage *s, const struct matrix3 *m)
 {
-    enum { X = 704 };
     char text[48];
     struct point2 p = matrix3_apply(m, top);
     stage_ink(s, INK_GREEN);
-    large_text(s, X, 420, "product M");
+    large_text(s, PANEL, 420, "product M");
     stage_ink(s, INK_BRIGHT);
-    large_matrix3(s, X - 6, 340, m);
+    large_matrix3(s, PANEL - 12, 340, m);
     stage_ink(s, INK_RED);
     snprintf(text, sizeof text, "P  (%.2f,%.2f)", (double)top.x, (double)top.y);
-    large_text(s, X, 140, text);
+    large_text(s, PANEL, 140, text);
     snprintf(text, sizeof text, "P' (%.2f,%.2f)", (double)p.x, (double)p.y);
-    large_text(s, X, 140 - LARGE_LINE, text);
+    large_text(s, PANEL, 140 - LARGE_LINE, text);
 }
 
-static void begin(void *state)
+static float draw(void *own, struct stage *stage, int page, float seconds)
 {
-    scenes_begin(state, SCENES);
-}
-
-static void key(void *state, int k)
-{
-    scenes_key(state, k);
-}
-
-static float draw(void *state, struct stage *stage, float seconds)
-{
-    struct scenes *t = state;
-    float since = scenes_since(t, seconds);
-    const struct scene *s = &scenes[t->scene];
+    (void)own;
+    const struct transformation *s = &table[page];
     struct graph g = graph_of(stage);
     ruled_paper(&g);
-    struct matrix3 m = go(&g, s->way[0], since);
+    struct matrix3 m = go(&g, s->way[0], seconds);
     draw_marks(&g, s, &m);
     if (steps_of(s->way[1]) > 0) {
-        go(&g, s->way[1], since);
-        list_steps(stage, s->way[1], 945, since);
+        go(&g, s->way[1], seconds);
+        list_steps(stage, s->way[1], (float)steps_of(s->way[0]) + 0.4f, seconds);
     }
-    list_steps(stage, s->way[0], 704, since);
+    list_steps(stage, s->way[0], 0, seconds);
     matrix_panel(stage, &m);
     point_p(&g, &m);
     stage_title(stage, s->title);
     stage_caption(stage, s->caption);
-    scenes_end_after(t, (float)longest(s) * STEP_SECONDS + LAST_SECONDS);
-    return 0.04f;
+    return (float)longest(s) * STEP_SECONDS + LAST_SECONDS;
 }
+
+static struct pages pages = {.count = PAGES, .again = 0.04f, .draw = draw};
 
 extern const struct lesson lesson_plane;
 const struct lesson lesson_plane = {
-    "plane", "Transformations of the plane", SCENES_KEYS, &plane_scenes, begin, key, draw};
+    "plane",   "Transformations of the plane", PAGES_KEYS, &pages, pages_begin, pages_key,
+    pages_draw};

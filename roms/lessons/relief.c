@@ -76,8 +76,8 @@ static void place(struct relief *r, const struct stage *stage, float yaw)
     v->model = view_turn(yaw, 38);
     v->distance = 6;
     v->x = stage_canvas_x(stage, 480);
-    v->y = stage_canvas_y(stage, 410);
-    v->dots_x = v->dots_y = 246 * stage->dots;
+    v->y = stage_canvas_y(stage, 440);
+    v->dots_x = v->dots_y = 232 * stage->dots;
     mesh_project(&r->mesh, v);
     r->lighting = lighting_dark(0.25f);
     lighting_add(&r->lighting,

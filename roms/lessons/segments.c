@@ -417,7 +417,7 @@ static void key(void *state, int k)
     if (!l->made)
         return;
     switch (k) {
-    case ' ':
+    case 'p':
         l->stopped = !l->stopped;
         break;
     case 'c':
@@ -457,7 +457,7 @@ static float draw(void *state, struct stage *stage, float seconds)
 extern const struct lesson lesson_segments;
 const struct lesson lesson_segments = {"segments",
                                        "A segmented display file",
-                                       "space stop  c compact  h highlight  v hide  s smoke",
+                                       "p pause  c compact  h highlight  v hide  s smoke",
                                        &lesson_state,
                                        begin,
                                        key,

@@ -1,19 +1,20 @@
-/* shading.c — light and shading: eight scenes of light on solids. */
+/* shading.c — light and shading: eight pages of light on solids. */
 #include <math.h>
 #include <stdio.h>
 
-#include "roms/scenery/eye.h"
 #include "roms/lessons/lesson.h"
+#include "roms/lessons/pages.h"
 #include "roms/lessons/shading.h"
 
 static struct shading_lesson lesson;
+static struct pages pages;
 
-static const struct scene_part {
+static const struct {
     const char *title;
-    float seconds; /* until the next scene, when nobody holds it */
+    float seconds; /* until the next page */
     void (*begin)(struct shading_lesson *l);
     void (*draw)(struct shading_lesson *l, struct stage *stage, float t);
-} scenes[] = {
+} table[] = {
     {"Four shadings of one solid", 14, shading_compare_begin, shading_compare},
     {"A solid turns", 20, shading_turn_begin, shading_turn},
     {"Ambient, diffuse, specular", 12, shading_terms_begin, shading_terms},
@@ -23,71 +24,53 @@ static const struct scene_part {
     {"Mach bands", 16, shading_mach_begin, shading_mach},
     {"Few levels: dithering", 16, shading_dither_begin, shading_dither},
 };
-enum { SCENES = sizeof scenes / sizeof scenes[0] };
+enum { PAGES = sizeof table / sizeof table[0], TURNS = 1 };
 
-static void go(struct shading_lesson *l, int scene)
+static void begin(void *own)
 {
-    l->scene = (scene + SCENES) % SCENES;
-    l->entered = false;
-}
-
-static void begin(void *state)
-{
-    struct shading_lesson *l = state;
+    struct shading_lesson *l = own;
     *l =
         (struct shading_lesson){.studio = studio(), .shading = -1, .model = STUDIO_VESSEL, .n = 20};
-    go(l, 0);
 }
 
-static void change_model(struct shading_lesson *l)
+static void turn(void *own, int page)
 {
-    l->model = l->model + 1 == STUDIO_MODELS ? STUDIO_PRESENT : l->model + 1;
-    go(l, 1);
-    l->hold = true;
+    struct shading_lesson *l = own;
+    studio_reset(l->studio);
+    table[page].begin(l);
 }
 
-static void key(void *state, int k)
+static bool key(void *own, int k)
 {
-    struct shading_lesson *l = state;
-    if (k == ' ' || k == KEY_RIGHT)
-        go(l, l->scene + 1);
-    else if (k == KEY_LEFT)
-        go(l, l->scene - 1);
-    else if (k >= '1' && k < '1' + SHADINGS)
+    struct shading_lesson *l = own;
+    if (k >= '1' && k < '1' + SHADINGS)
         l->shading = l->shading == k - '1' ? -1 : k - '1';
-    else if (k == '+' || k == '=' || k == KEY_UP)
-        l->n = l->n * 1.5f < POWER_MOST ? l->n * 1.5f : POWER_MOST;
-    else if (k == '-' || k == KEY_DOWN)
-        l->n = l->n / 1.5f > POWER_LEAST ? l->n / 1.5f : POWER_LEAST;
-    else if (k == 'o')
-        change_model(l);
-    else if (k == 'h')
-        l->hold = !l->hold;
+    else if (k == '+' || k == '=')
+        l->n = fminf(l->n * 1.5f, POWER_MOST);
+    else if (k == '-')
+        l->n = fmaxf(l->n / 1.5f, POWER_LEAST);
+    else if (k == 'o') {
+        l->model = l->model + 1 == STUDIO_MODELS ? STUDIO_PRESENT : l->model + 1;
+        pages_go(&pages, TURNS);
+    } else
+        return false;
+    return true;
 }
 
-static float draw(void *state, struct stage *stage, float seconds)
+static float draw(void *own, struct stage *stage, int page, float seconds)
 {
-    struct shading_lesson *l = state;
-    if (l->entered && !l->hold && seconds - l->since > scenes[l->scene].seconds)
-        go(l, l->scene + 1);
-    if (!l->entered) {
-        l->entered = true;
-        l->since = seconds;
-        studio_reset(l->studio);
-        scenes[l->scene].begin(l);
-    }
-    l->rate = seconds > l->last ? 1 / (seconds - l->last) : 0;
-    l->last = seconds;
-    stage_title(stage, scenes[l->scene].title);
-    scenes[l->scene].draw(l, stage, seconds - l->since);
-    return 0;
+    struct shading_lesson *l = own;
+    l->rate = pages.apart > 0 ? 1 / pages.apart : 0;
+    stage_title(stage, table[page].title);
+    table[page].draw(l, stage, seconds);
+    return table[page].seconds;
 }
+
+static struct pages pages = {
+    .count = PAGES, .own = &lesson, .begin = begin, .turn = turn, .draw = draw, .key = key};
 
 extern const struct lesson lesson_shading;
-const struct lesson lesson_shading = {"shading",
-                                      "Light and shading",
-                                      "space scene  1-4 shading  + - n  o object  h hold",
-                                      &lesson,
-                                      begin,
-                                      key,
-                                      draw};
+const struct lesson lesson_shading = {
+    "shading", "Light and shading", PAGES_TURN "  1-4 shading  + - n  o object",
+    &pages,    pages_begin,         pages_key,
+    pages_draw};

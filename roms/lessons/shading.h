@@ -1,6 +1,6 @@
-/* shading.h — the scenes of the lesson about light and shading.
+/* shading.h — the pages of the lesson about light and shading.
  *
- * Models:     pictures of the time since a scene began, and of what keys chose.
+ * Models:     pictures of the time since a page began, and of what keys chose.
  * Units:      seconds, stage units.
  * Ownership:  the lesson's state is shading.c's.
  * Errors:     none.
@@ -12,16 +12,13 @@
 
 struct shading_lesson {
     struct studio *studio;
-    int scene;
-    bool entered, hold;
-    float since, last; /* the scene began; the last picture */
-    float rate;        /* pictures a second */
-    int shading;       /* that a key chose; -1: none */
+    float rate;  /* pictures a second */
+    int shading; /* that a key chose; -1: none */
     int model;
     float n;
 };
 
-/* For each scene: once when it begins, after studio_reset; and every picture. shading_solids.c: */
+/* For each page: once when it begins, after studio_reset; and every picture. shading_solids.c: */
 void shading_compare_begin(struct shading_lesson *l);
 void shading_compare(struct shading_lesson *l, struct stage *stage, float t);
 void shading_turn_begin(struct shading_lesson *l);

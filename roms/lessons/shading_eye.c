@@ -1,4 +1,4 @@
-/* shading_eye.c — scenes about a lamp with an extent, and about what the eye makes of steps and of
+/* shading_eye.c — pages about a lamp with an extent, and about what the eye makes of steps and of
  * few levels. */
 #include <math.h>
 #include <stdio.h>

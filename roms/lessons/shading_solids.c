@@ -1,4 +1,4 @@
-/* shading_solids.c — scenes of shaded solids. */
+/* shading_solids.c — pages of shaded solids. */
 #include <math.h>
 #include <stdio.h>
 
@@ -35,8 +35,8 @@ void shading_compare(struct shading_lesson *l, struct stage *stage, float t)
 {
     l->studio->material.n = l->n;
     for (int i = 0; i < SHADINGS; i++) {
-        float x = i % 2 ? 905 : 295, y = i < 2 ? 600 : 200;
-        struct studio_pose pose = {x, y, 205, 24 * t, 40 + 25 * sinf(0.5f * t), 5};
+        float x = i % 2 ? 905 : 295, y = i < 2 ? 588 : 198;
+        struct studio_pose pose = {x, y, 198, 24 * t, 40 + 25 * sinf(0.5f * t), 5};
         draw_solid(l->studio, stage, &pose, (enum shading)i, RAMP_COPPER);
         stage_ink(stage, INK_BRIGHT);
         stage_text(stage, x - 290, y + 165, names[i]);
@@ -126,7 +126,7 @@ void shading_terms(struct shading_lesson *l, struct stage *stage, float t)
         stage_heads(stage, STAGE_VECTOR);
         lobe(stage, small.x, 65, i, l->n);
         stage_heads(stage, STAGE_BOTH);
-        stage_text_middle(stage, small.x, 245, what[i]);
+        stage_text_middle(stage, small.x, 262, what[i]);
         stage_text_middle(stage, small.x, 12, terms[i]);
     }
     stage_caption(stage,

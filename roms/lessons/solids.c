@@ -5,6 +5,7 @@
 
 #include "roms/scenery/depth.h"
 #include "roms/lessons/lesson.h"
+#include "roms/lessons/pages.h"
 #include "roms/scenery/workroom.h"
 #include "roms/solids/broken.h"
 #include "roms/solids/models.h"
@@ -16,40 +17,34 @@ enum { BOX, CYLINDER, SPHERE, TORUS, VESSEL, MODELS, PAGES = MODELS + OBJECT_RUL
 enum { PAGE_SECONDS = 8, MOST_NAMED = 40, LEFT = 395, MIDDLE = 400, COLUMN = 800, ROW = 37 };
 
 static struct solids {
-    int page, made; /* made: the page whose object is in the workroom; -1: none */
-    float since;    /* when the page began */
-    bool stays;     /* somebody chose it */
+    int page;
+    bool made; /* the page's object is in the workroom */
     bool wire;
     struct object_check check;
     struct object_fault fault;
     bool has_fault;
 } solids;
 
-static void begin(void *state)
+static void begin(void *own)
 {
-    struct solids *s = state;
-    s->page = 0;
-    s->made = -1;
-    s->since = 0;
-    s->stays = s->wire = false;
+    struct solids *s = own;
+    s->wire = false;
 }
 
-static void key(void *state, int k)
+static void turn(void *own, int page)
 {
-    struct solids *s = state;
-    if (k == 'w') {
-        s->wire = !s->wire;
-        return;
-    }
-    if (k == 'n' || k == ' ' || k == KEY_RIGHT)
-        s->page = (s->page + 1) % PAGES;
-    else if (k == 'p' || k == KEY_LEFT)
-        s->page = (s->page + PAGES - 1) % PAGES;
-    else if (k == 'b')
-        s->page = s->page < MODELS ? MODELS : 0;
-    else
-        return;
-    s->stays = true;
+    struct solids *s = own;
+    s->page = page;
+    s->made = false;
+}
+
+static bool key(void *own, int k)
+{
+    struct solids *s = own;
+    if (k != 'w')
+        return false;
+    s->wire = !s->wire;
+    return true;
 }
 
 /* ---- objects --------------------------------------------------------------------------------- */
@@ -85,7 +80,7 @@ static void make_model(struct object *o, int page)
 static void make(struct solids *s)
 {
     struct object *o = &workroom()->object;
-    s->made = s->page;
+    s->made = true;
     s->has_fault = false;
     if (s->page < MODELS) {
         make_model(o, s->page);
@@ -316,33 +311,32 @@ static void draw_broken(struct solids *s, struct stage *stage, float seconds)
     stage_caption(stage, "One mistake in the tables: one guideline catches it, and says where.");
 }
 
-static float draw(void *state, struct stage *stage, float seconds)
+static float draw(void *own, struct stage *stage, int page, float seconds)
 {
     static const char *const titles[PAGES] = {
         "Solids: a box",          "Solids: a cylinder",      "Solids: a sphere",
         "Solids: a torus",        "Solids: a vessel",        "Broken: a lonely vertex",
         "Broken: an unused edge", "Broken: an open polygon", "Broken: a lonely polygon",
         "Broken: a wrong pointer"};
-    struct solids *s = state;
-    if (!s->stays && seconds - s->since > PAGE_SECONDS) {
-        s->page = (s->page + 1) % PAGES;
-        s->since = seconds;
-    }
-    if (s->made != s->page)
+    struct solids *s = own;
+    if (!s->made)
         make(s);
-    if (s->page < MODELS)
+    if (page < MODELS)
         draw_model(s, stage, seconds);
     else
         draw_broken(s, stage, seconds);
-    stage_title(stage, titles[s->page]);
-    return 0;
+    stage_title(stage, titles[page]);
+    return PAGE_SECONDS;
 }
+
+static struct pages pages = {
+    .count = PAGES, .own = &solids, .begin = begin, .turn = turn, .draw = draw, .key = key};
 
 extern const struct lesson lesson_solids;
 const struct lesson lesson_solids = {"solids",
                                      "Solids and their tables",
-                                     "n p next, previous  b broken ones  w wireframe",
-                                     &solids,
-                                     begin,
-                                     key,
-                                     draw};
+                                     PAGES_KEYS "  w wireframe",
+                                     &pages,
+                                     pages_begin,
+                                     pages_key,
+                                     pages_draw};

@@ -1,44 +1,27 @@
 /* space.c — the lesson on space: rotations, the rotation about a line step by step, projections. */
 #include "roms/lessons/lesson.h"
-#include "roms/lessons/space_chapters.h"
+#include "roms/lessons/pages.h"
+#include "roms/lessons/space_pages.h"
 
-static const struct space_chapter chapters[] = {
-    {18, space_chapter_axes},      {28, space_chapter_line},      {14, space_chapter_parallel},
-    {12, space_chapter_one_point}, {12, space_chapter_two_point}, {12, space_chapter_three_point},
+static const struct space_page table[] = {
+    {18, space_page_axes},      {28, space_page_line},      {14, space_page_parallel},
+    {12, space_page_one_point}, {12, space_page_two_point}, {12, space_page_three_point},
 };
-enum { CHAPTERS = sizeof chapters / sizeof chapters[0] };
+enum { PAGES = sizeof table / sizeof table[0] };
 
-struct state {
-    int chapter;
-    float within, last; /* seconds of the chapter; when it was drawn last */
-    bool paused;
-    struct space_viewer viewer;
-};
+static struct space_viewer viewer;
 
-static void begin(void *ctx)
+static void turn(void *own, int page)
 {
-    *(struct state *)ctx = (struct state){.chapter = 0};
+    (void)page;
+    *(struct space_viewer *)own = (struct space_viewer){0, 0};
 }
 
-static void go(struct state *s, int by)
-{
-    s->chapter = (s->chapter + by + CHAPTERS) % CHAPTERS;
-    s->within = 0;
-    s->viewer = (struct space_viewer){0, 0};
-}
-
-static void key(void *ctx, int k)
+static bool key(void *own, int k)
 {
     enum { STEP = 5, MOST = 40 };
-    struct state *s = ctx;
-    struct space_viewer *v = &s->viewer;
-    if (k == ' ')
-        go(s, 1);
-    else if (k == 'b')
-        go(s, -1);
-    else if (k == 'p')
-        s->paused = !s->paused;
-    else if (k == KEY_LEFT && v->turn > -MOST)
+    struct space_viewer *v = own;
+    if (k == KEY_LEFT && v->turn > -MOST)
         v->turn -= STEP;
     else if (k == KEY_RIGHT && v->turn < MOST)
         v->turn += STEP;
@@ -46,27 +29,25 @@ static void key(void *ctx, int k)
         v->tilt += STEP;
     else if (k == KEY_DOWN && v->tilt > -MOST)
         v->tilt -= STEP;
+    else
+        return false;
+    return true;
 }
 
-static float draw(void *ctx, struct stage *stage, float seconds)
+static float draw(void *own, struct stage *stage, int page, float seconds)
 {
-    struct state *s = ctx;
-    if (!s->paused)
-        s->within += seconds - s->last;
-    s->last = seconds;
-    if (s->within > chapters[s->chapter].lasts)
-        go(s, 1);
-    chapters[s->chapter].draw(stage, s->within, s->viewer);
-    return 0;
+    table[page].draw(stage, seconds, *(struct space_viewer *)own);
+    return table[page].lasts;
 }
 
-static struct state state;
+static struct pages pages = {
+    .count = PAGES, .own = &viewer, .turn = turn, .draw = draw, .key = key};
 
 extern const struct lesson lesson_space;
 const struct lesson lesson_space = {"space",
                                     "Space and projections",
-                                    "space next  b back  p pause  arrows: viewer",
-                                    &state,
-                                    begin,
-                                    key,
-                                    draw};
+                                    PAGES_KEYS "  arrows viewer",
+                                    &pages,
+                                    pages_begin,
+                                    pages_key,
+                                    pages_draw};

@@ -6,7 +6,7 @@
 #include "roms/geometry/projection_parallel.h"
 #include "roms/geometry/projection_perspective.h"
 #include "roms/geometry/transform3.h"
-#include "roms/lessons/space_chapters.h"
+#include "roms/lessons/space_pages.h"
 #include "roms/scenery/space_solid.h"
 
 /* ---- parallel -------------------------------------------------------------------------------- */
@@ -39,7 +39,7 @@ static struct matrix4 panel_projection(int panel, float seconds, struct space_vi
     }
 }
 
-void space_chapter_parallel(struct stage *stage, float seconds, struct space_viewer viewer)
+void space_page_parallel(struct stage *stage, float seconds, struct space_viewer viewer)
 {
     static const char *const names[PANELS] = {"front",    "right side", "plan",     "isometric",
                                               "dimetric", "trimetric",  "cavalier", "cabinet"};
@@ -55,7 +55,7 @@ void space_chapter_parallel(struct stage *stage, float seconds, struct space_vie
         float bottom = (float)((1 - i / ACROSS) * PANEL_HEIGHT);
         bool spoken = about == 0 ? i < 3 : about == 1 ? i >= 3 && i < 6 : i >= 6;
         struct space_view view = {
-            .stage = stage, .projection = panel_projection(i, seconds, viewer), .scale = 52};
+            .stage = stage, .projection = panel_projection(i, seconds, viewer), .scale = 48};
         struct point2 middle = {0, 0};
         projection_place(&view.projection, (struct vector3){0, 1.8f, 0}, &middle);
         view.x = left + PANEL_WIDTH / 2 - view.scale * middle.x;
@@ -144,7 +144,7 @@ static void perspective(struct stage *s, struct vector3 eye, float turn, float t
     list_points(s, &v);
 }
 
-void space_chapter_one_point(struct stage *stage, float seconds, struct space_viewer viewer)
+void space_page_one_point(struct stage *stage, float seconds, struct space_viewer viewer)
 {
     float sway = sinf(seconds * 0.55f);
     struct vector3 eye = {3 + 2 * sway + viewer.turn * 0.1f, 4.2f + viewer.tilt * 0.05f, 7};
@@ -153,7 +153,7 @@ void space_chapter_one_point(struct stage *stage, float seconds, struct space_vi
     stage_caption(stage, "Only z crosses the view plane: its lines meet, right before the eye");
 }
 
-void space_chapter_two_point(struct stage *stage, float seconds, struct space_viewer viewer)
+void space_page_two_point(struct stage *stage, float seconds, struct space_viewer viewer)
 {
     float turn = -45 + 9 * sinf(seconds * 0.55f) + viewer.turn * 0.3f;
     struct vector3 eye = {0, 1.4f + viewer.tilt * 0.08f, 6};
@@ -163,7 +163,7 @@ void space_chapter_two_point(struct stage *stage, float seconds, struct space_vi
                   "x and z cross the view plane: two points on the horizon; uprights stay upright");
 }
 
-void space_chapter_three_point(struct stage *stage, float seconds, struct space_viewer viewer)
+void space_page_three_point(struct stage *stage, float seconds, struct space_viewer viewer)
 {
     float turn = -45 + 9 * sinf(seconds * 0.55f) + viewer.turn * 0.3f;
     struct vector3 eye = {0, 1, 6};

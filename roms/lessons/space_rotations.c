@@ -4,7 +4,7 @@
 
 #include "roms/geometry/projection_parallel.h"
 #include "roms/geometry/rotate_axis.h"
-#include "roms/lessons/space_chapters.h"
+#include "roms/lessons/space_pages.h"
 #include "roms/scenery/space_solid.h"
 
 enum { LEFT_WIDTH = 780, COLUMN = 800 };
@@ -63,7 +63,7 @@ static void sense(const struct space_view *view, enum axis3 axis, float radius)
     }
 }
 
-void space_chapter_axes(struct stage *stage, float seconds, struct space_viewer viewer)
+void space_page_axes(struct stage *stage, float seconds, struct space_viewer viewer)
 {
     static const char *const names[] = {"Rx", "Ry", "Rz"};
     static const char *const say[] = {
@@ -133,7 +133,7 @@ static void draw_axis(const struct space_view *view, const struct matrix4 *m)
     space_text(view, matrix4_apply(m, line_b), "B");
 }
 
-void space_chapter_line(struct stage *stage, float seconds, struct space_viewer viewer)
+void space_page_line(struct stage *stage, float seconds, struct space_viewer viewer)
 {
     static const char *const say[] = {
         "T: the axis shall pass through the origin",
@@ -168,6 +168,6 @@ void space_chapter_line(struct stage *stage, float seconds, struct space_viewer 
     stage_ink(stage, INK_BRIGHT);
     stage_text(stage, COLUMN - 20, 340, "M so far =");
     show_matrix(stage, 290, &m);
-    stage_title(stage, "Rotation about any line AB, in seven steps");
+    stage_title(stage, "Rotation about any line, in seven steps");
     stage_caption(stage, say[step]);
 }

@@ -5,6 +5,7 @@
 
 #include "roms/scenery/depth.h"
 #include "roms/lessons/lesson.h"
+#include "roms/lessons/pages.h"
 #include "roms/scenery/workroom.h"
 #include "roms/visible/depth_surface.h"
 
@@ -13,32 +14,16 @@ enum { PAGE_SECONDS = 9, LEFT = 295, RIGHT = 905, MIDDLE = 410, HALF = 340 };
 
 static struct surfaces {
     int page, made; /* made: the scene in the workroom; -1: none */
-    float since;
-    bool stays;
 } surfaces;
 
-static void begin(void *state)
+static void begin(void *own)
 {
-    struct surfaces *s = state;
-    s->page = 0;
-    s->made = -1;
-    s->since = 0;
-    s->stays = false;
+    ((struct surfaces *)own)->made = -1;
 }
 
-static void key(void *state, int k)
+static void turn(void *own, int page)
 {
-    struct surfaces *s = state;
-    if (k == 'n' || k == ' ' || k == KEY_RIGHT)
-        s->page = (s->page + 1) % PAGES;
-    else if (k == 'p' || k == KEY_LEFT)
-        s->page = (s->page + PAGES - 1) % PAGES;
-    else if (k >= '1' && k < '1' + PAGES)
-        s->page = k - '1';
-    else
-        return;
-    s->stays = true;
-    s->since = -1; /* draw knows the time */
+    ((struct surfaces *)own)->page = page;
 }
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
@@ -370,30 +355,26 @@ static void draw_from_0(struct surfaces *s, struct stage *stage, float seconds)
                   "clear it to the smallest depth.");
 }
 
-static float draw(void *state, struct stage *stage, float seconds)
+static float draw(void *own, struct stage *stage, int page, float seconds)
 {
-    static const char *const titles[PAGES] = {"1 Wireframe",
-                                              "2 Back faces removed",
-                                              "3 Depth buffer",
-                                              "4 Scan line",
-                                              "5 Painter's method",
-                                              "6 Where the painter fails",
-                                              "7 A depth buffer that begins with 0"};
-    static void (*const pages[PAGES])(struct surfaces * s, struct stage * stage, float seconds) = {
-        draw_wire, draw_wire, draw_depth, draw_scan, draw_paint, draw_circle, draw_from_0};
-    struct surfaces *s = state;
-    if (s->since < 0)
-        s->since = seconds;
-    if (!s->stays && seconds - s->since > PAGE_SECONDS) {
-        s->page = (s->page + 1) % PAGES;
-        s->since = seconds;
-    }
-    pages[s->page](s, stage, seconds - s->since);
-    stage_title(stage, titles[s->page]);
-    return 0;
+    static const struct {
+        const char *title;
+        void (*draw)(struct surfaces *s, struct stage *stage, float seconds);
+    } table[PAGES] = {{"Wireframe", draw_wire},
+                      {"Back faces removed", draw_wire},
+                      {"Depth buffer", draw_depth},
+                      {"Scan line", draw_scan},
+                      {"Painter's method", draw_paint},
+                      {"Where the painter fails", draw_circle},
+                      {"A depth buffer that begins with 0", draw_from_0}};
+    table[page].draw(own, stage, seconds);
+    stage_title(stage, table[page].title);
+    return PAGE_SECONDS;
 }
 
+static struct pages pages = {
+    .count = PAGES, .own = &surfaces, .begin = begin, .turn = turn, .draw = draw};
+
 extern const struct lesson lesson_surfaces;
-const struct lesson lesson_surfaces = {
-    "surfaces", "Visible surfaces", "n p next, previous  1..7 a method", &surfaces, begin, key,
-    draw};
+const struct lesson lesson_surfaces = {"surfaces",  "Visible surfaces", PAGES_KEYS, &pages,
+                                       pages_begin, pages_key,          pages_draw};
