@@ -1,5 +1,7 @@
 #include "roms/clip/liang_barsky.h"
 
+#include "roms/geometry/scalar.h"
+
 void liang_barsky_begin(struct liang_barsky *k, const struct clip_window *w, struct point2 a,
                         struct point2 b)
 {
@@ -34,6 +36,13 @@ bool liang_barsky_next(struct liang_barsky *k)
     return true;
 }
 
+/* Far ends make steps of t coarse: what lies a little beyond an edge belongs onto it. */
+static struct point2 within(const struct clip_window *w, float x, float y)
+{
+    return (struct point2){scalar_clamp(x, w->x_min, w->x_max),
+                           scalar_clamp(y, w->y_min, w->y_max)};
+}
+
 bool clip_liang_barsky_shown(const struct clip_window *w, struct point2 *a, struct point2 *b,
                              struct liang_barsky *k)
 {
@@ -44,9 +53,9 @@ bool clip_liang_barsky_shown(const struct clip_window *w, struct point2 *a, stru
         return false;
     float dx = k->p[1], dy = k->p[3];
     if (k->t2 < 1)
-        *b = (struct point2){a->x + k->t2 * dx, a->y + k->t2 * dy};
+        *b = within(w, a->x + k->t2 * dx, a->y + k->t2 * dy);
     if (k->t1 > 0)
-        *a = (struct point2){a->x + k->t1 * dx, a->y + k->t1 * dy};
+        *a = within(w, a->x + k->t1 * dx, a->y + k->t1 * dy);
     return true;
 }
 

@@ -1,4 +1,5 @@
 /* clip_lines.c — lines clipped by region codes and by their parameter. */
+#include <math.h>
 #include <stdio.h>
 
 #include "roms/clip/cohen_sutherland.h"
@@ -121,8 +122,12 @@ bool clip_cohen_sutherland_command(struct monitor *m, struct words *w)
 /* Rounded once, when it is written: four decimals of a float of 78.00885 would be 78.0089. */
 static void print_at(const struct job *j, const struct liang_barsky *k, float t)
 {
-    printf("(%.4f,%.4f)", (double)j->a.x + (double)t * (double)k->p[1] + 0.0,
-           (double)j->a.y + (double)t * (double)k->p[3] + 0.0);
+    double x = (double)j->a.x + (double)t * (double)k->p[1] + 0.0;
+    double y = (double)j->a.y + (double)t * (double)k->p[3] + 0.0;
+    /* Far ends make steps of t coarse. */
+    x = fmin(fmax(x, (double)j->window.x_min), (double)j->window.x_max);
+    y = fmin(fmax(y, (double)j->window.y_min), (double)j->window.y_max);
+    printf("(%.4f,%.4f)", x, y);
 }
 
 static void edge_row(const struct liang_barsky *k)

@@ -52,18 +52,30 @@ static bool steps(struct monitor *m, struct words *w)
     return on_or_off(w, &m->steps);
 }
 
+/* By its name, or by its number in the menu. */
+static const struct lesson *find_lesson(struct words *w)
+{
+    int count = 0, number;
+    for (; lessons[count] != NULL; count++)
+        if (words_take(w, lessons[count]->name))
+            return lessons[count];
+    if (words_next_is_number(w))
+        return words_whole(w, 1, count, &number) ? lessons[number - 1] : NULL;
+    if (words_left(w) == 0)
+        words_refuse(w, "a name is missing; \"lessons\" lists them");
+    else
+        words_refuse(w, "there is no lesson \"%.40s\"; \"lessons\" lists them", words_peek(w));
+    return NULL;
+}
+
 static bool lesson(struct monitor *m, struct words *w)
 {
-    for (int i = 0; lessons[i] != NULL; i++) {
-        if (words_take(w, lessons[i]->name)) {
-            if (!words_end(w))
-                return false;
-            m->left_lesson = true;
-            lesson_run(m, lessons[i]);
-            return true;
-        }
-    }
-    return words_refuse(w, "there is no lesson \"%.40s\"", words_peek(w));
+    const struct lesson *chosen = find_lesson(w);
+    if (chosen == NULL || !words_end(w))
+        return false;
+    lesson_run(m, chosen);
+    m->left_lesson = true;
+    return true;
 }
 
 static bool list_lessons(struct monitor *m, struct words *w)

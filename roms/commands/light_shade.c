@@ -57,6 +57,8 @@ bool light_shade(struct monitor *m, struct words *w)
     studio_solid(s, (enum studio_model)model, fineness);
     if (s->mesh.triangles == 0)
         return words_refuse(w, "the object has more than %d triangles", MESH_TRIANGLES);
+    if (m->stage.canvas.width == 0)
+        return words_refuse(w, "this board has no raster head to draw on");
     stage_begin(&m->stage);
     stage_title(&m->stage, shading_names[shading]);
     struct studio_cost cost = studio_shade(s, &m->stage, &pose, (enum shading)shading, RAMP_COPPER);

@@ -1,5 +1,6 @@
 /* lines.c — the commands of lines; those of circles and ellipses are in circles.c. */
 #include <stdio.h>
+#include <stdlib.h>
 
 #include "roms/commands/circles.h"
 #include "roms/geometry/scalar.h"
@@ -139,8 +140,9 @@ static void ideal(const void *state, const struct grid *grid)
     grid_line(grid, (float)line->x0, (float)line->y0, (float)line->x1, (float)line->y1, INK_BRIGHT);
 }
 
-/* The answer: slope, direction, which of the eight cases, how many pixels. */
-static void tell(const struct line *line)
+/* The answer: slope, direction, increments of that case (lettered A to P, two for each of the eight), how
+ * many pixels. */
+static void tell(const struct line *line, bool bresenham)
 {
     struct line_case c = line_case_of(line->x0, line->y0, line->x1, line->y1);
     int dx = line->x1 - line->x0, dy = line->y1 - line->y0;
@@ -156,8 +158,15 @@ static void tell(const struct line *line)
                : c.negative ? "negative"
                             : "positive",
                c.leftward ? "right to left" : "left to right");
-    printf(", |m| %s 1: %s (%c), %s (%c): %d pixels\n", c.steep ? ">" : "<=", c.along,
-           c.along_letter, c.across, c.across_letter, line->pixels);
+    printf(", |m| %s 1: ", c.steep ? ">" : "<=");
+    if (bresenham) {
+        int along = abs(c.steep ? dy : dx), across = abs(c.steep ? dx : dy);
+        printf("p0 = %d, p < 0: %+d, else: %+d", 2 * across - along, 2 * across,
+               2 * across - 2 * along);
+    } else {
+        printf("%s (%c), %s (%c)", c.along, c.along_letter, c.across, c.across_letter);
+    }
+    printf(": %d pixels\n", line->pixels);
     if (line->tied)
         printf("A tie, p = 0, stays on the way back: both ways light the same pixels.\n");
 }
@@ -201,7 +210,7 @@ static bool line(struct monitor *m, struct words *w)
     stepper.state = &state;
     state.told = m->table || m->steps;
     scan_run(m, &stepper);
-    tell(&state);
+    tell(&state, which == 2);
     return true;
 }
 

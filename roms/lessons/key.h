@@ -14,6 +14,8 @@ enum {
     KEY_LEFT,
     KEY_HOME,
     KEY_END,
+    KEY_PAGE_UP,
+    KEY_PAGE_DOWN,
     KEY_OTHER /* one that has no meaning here */
 };
 

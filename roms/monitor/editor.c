@@ -77,7 +77,7 @@ static enum editor_event enter(struct editor *e)
 
 enum editor_event editor_key(struct editor *e, struct stage *stage, int key)
 {
-    if (key == KEYS_ENTER || (key == KEYS_INPUT_END && e->length > 0))
+    if (key == KEYS_ENTER || key == KEYS_LINE || (key == KEYS_INPUT_END && e->length > 0))
         return enter(e);
     if (key == KEYS_BACKSPACE)
         rub_out(e, 1);
@@ -89,6 +89,8 @@ enum editor_event editor_key(struct editor *e, struct stage *stage, int key)
         fetch(e, e->back - 1);
     else if (key >= ' ' && key < 127)
         take(e, (char)key);
+    else if (key == '\t' && e->length > 0)
+        take(e, ' ');
     else
         return EDITOR_OTHER;
     editor_show(e, stage);

@@ -75,10 +75,12 @@ static int sequence(void)
         return KEYS_ESCAPE;
     if (c != '[' && c != 'O')
         return KEY_OTHER;
-    do
-        c = byte_by(timer_now() + PATIENCE);
-    while ((c >= '0' && c <= '9') || c == ';');
+    int number = 0;
+    while (((c = byte_by(timer_now() + PATIENCE)) >= '0' && c <= '9') || c == ';')
+        number = number < 100 ? 10 * number + c - '0' : number;
     switch (c) {
+    case '~':
+        return number == 5 ? KEY_PAGE_UP : number == 6 ? KEY_PAGE_DOWN : KEY_OTHER;
     case 'A':
         return KEY_UP;
     case 'B':
@@ -103,8 +105,6 @@ static int key_of(int c)
         return KEYS_NONE;
     case KEYS_ESCAPE:
         return sequence();
-    case '\n':
-        return KEYS_ENTER;
     case DELETE:
         return KEYS_BACKSPACE;
     default:
@@ -116,13 +116,4 @@ int keys_next(uint64_t until)
 {
     int key = key_of(byte_by(ended ? 0 : until));
     return key == KEYS_NONE && ended ? KEYS_INPUT_END : key;
-}
-
-int keys_typed(uint64_t until)
-{
-    int c;
-    do
-        c = byte_by(until);
-    while (c == KEYS_INPUT_END);
-    return key_of(c);
 }

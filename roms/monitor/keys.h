@@ -19,7 +19,8 @@
 enum {
     KEYS_NONE = -1,     /* none came in time */
     KEYS_INPUT_END = 4, /* control-D: nothing will come any more, or somebody is done */
-    KEYS_ENTER = '\r',  /* for a line feed, too */
+    KEYS_ENTER = '\r',  /* the key */
+    KEYS_LINE = '\n',   /* the end of a line in a script: ends a line, too, but chooses nothing */
     KEYS_BACKSPACE = 8, /* for Delete, too */
     KEYS_ESCAPE = 27,
 };
@@ -28,7 +29,5 @@ enum {
 /* The next key, or KEYS_NONE when none has come by that time; at the end of input KEYS_INPUT_END, at
  * once. */
 int keys_next(uint64_t until);
-/* The same for a picture that stays while nobody types any more: the end is no key, and time goes by. */
-int keys_typed(uint64_t until);
 
 #endif

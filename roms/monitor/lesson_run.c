@@ -2,15 +2,8 @@
 
 #include <stdio.h>
 
-#include "roms/bsp/board.h"
 #include "roms/bsp/timer.h"
 #include "roms/monitor/keys.h"
-
-/* At the end of input: somebody may look on. */
-static bool runs_on(void)
-{
-    return board_has_vector_head() || board_has_raster_head();
-}
 
 static void prompt(struct stage *stage, const struct lesson *lesson)
 {
@@ -36,8 +29,7 @@ void lesson_run(struct monitor *m, const struct lesson *lesson)
     prompt(&m->stage, lesson);
     lesson->begin(lesson->state);
     for (;;) {
-        uint64_t again = draw(m, lesson, start);
-        int key = runs_on() ? keys_typed(again) : keys_next(again);
+        int key = keys_next(draw(m, lesson, start));
         if (key == 'q' || key == KEYS_ESCAPE || key == KEYS_INPUT_END)
             return;
         if (key != KEYS_NONE)

@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "roms/bsp/board.h"
 #include "roms/monitor/keys.h"
 #include "roms/monitor/stepper.h"
 
@@ -103,15 +102,15 @@ static void show(struct monitor *m, struct scan *scan, const struct step *now)
 
 bool step_ask(struct monitor *m, unsigned number)
 {
-    bool looked_at = board_has_raster_head() || board_has_vector_head();
     char text[STAGE_PROMPT + 1];
     snprintf(text, sizeof text, "step %u   space next   r the rest", number);
     stage_prompt(&m->stage, text);
     for (;;) {
-        switch (looked_at ? keys_typed(KEYS_FOREVER) : keys_next(KEYS_FOREVER)) {
+        switch (keys_next(KEYS_FOREVER)) {
         case ' ':
         case 'n':
         case KEYS_ENTER:
+        case KEYS_LINE:
         case KEY_RIGHT:
             return true;
         case 'r':

@@ -1,5 +1,7 @@
 #include "roms/monitor/shell.h"
 
+#include <stdio.h>
+
 #include "roms/monitor/command.h"
 #include "roms/monitor/editor.h"
 #include "roms/monitor/keys.h"
@@ -14,6 +16,7 @@ struct shell {
     struct editor editor;
     struct menu menu;
     enum page page, under; /* shown; the one that Tab comes back to */
+    unsigned back;         /* pages of the transcript before the last */
 };
 
 static void draw_menu(struct shell *s)
@@ -24,24 +27,45 @@ static void draw_menu(struct shell *s)
     s->page = PAGE_MENU;
 }
 
-/* The page under it stays in store: stage_flip fetches it. */
-static void draw_transcript(struct shell *s)
+/* The page under it stays in store, where stage_flip finds it, until one turns pages here. */
+static void draw_transcript(struct shell *s, unsigned back)
 {
     struct stage *stage = &s->monitor->stage;
+    char caption[80];
     stage_begin(stage);
-    transcript_draw(stage);
+    unsigned pages = transcript_draw(stage, back);
+    s->back = back < pages ? back : pages;
+    snprintf(caption, sizeof caption, "Page %u of %u. Page Up and Page Down turn, Tab goes back.",
+             pages - s->back + 1, pages + 1);
     stage_title(stage, "What was printed");
-    stage_caption(stage, "Tab goes back.");
+    stage_caption(stage, pages > 0 ? caption : "Tab goes back.");
     stage_end(stage);
     if (s->page != PAGE_TRANSCRIPT)
         s->under = s->page;
+    else
+        s->under = PAGE_MENU; /* the other store holds a page of this */
     s->page = PAGE_TRANSCRIPT;
+}
+
+/* Page Up and Page Down: true when the key was one of them. */
+static bool turn_page(struct shell *s, int key)
+{
+    unsigned now = s->page == PAGE_TRANSCRIPT ? s->back : 0;
+    if (key == KEY_PAGE_UP)
+        draw_transcript(s, now + 1);
+    else if (key == KEY_PAGE_DOWN)
+        draw_transcript(s, now > 0 ? now - 1 : 0);
+    return key == KEY_PAGE_UP || key == KEY_PAGE_DOWN;
 }
 
 static void toggle(struct shell *s)
 {
     if (s->page != PAGE_TRANSCRIPT) {
-        draw_transcript(s);
+        draw_transcript(s, 0);
+        return;
+    }
+    if (s->under == PAGE_MENU) {
+        draw_menu(s);
         return;
     }
     stage_flip(&s->monitor->stage);
@@ -75,20 +99,20 @@ static void run_command(struct shell *s)
     else if (stage->pictures != pictures)
         s->page = PAGE_PICTURE;
     else if (transcript_count() != lines)
-        draw_transcript(s);
+        draw_transcript(s, 0);
 }
 
-static void enter(struct shell *s)
+static void enter(struct shell *s, int key)
 {
     int number = lesson_number(s->editor.line);
     if (number > 0)
         run_lesson(s, number - 1);
     else if (s->editor.length > 0)
         run_command(s);
-    else if (s->page == PAGE_MENU)
-        run_lesson(s, s->menu.marked);
-    else
+    else if (s->page != PAGE_MENU)
         draw_menu(s);
+    else if (key == KEYS_ENTER)
+        run_lesson(s, s->menu.marked);
     editor_begin(&s->editor, &s->monitor->stage);
 }
 
@@ -113,11 +137,13 @@ void shell_run(struct monitor *monitor)
             continue;
         enum editor_event event = editor_key(&shell.editor, &monitor->stage, key);
         if (event == EDITOR_ENTERED)
-            enter(&shell);
+            enter(&shell, key);
         else if (event == EDITOR_OTHER && key == KEYS_INPUT_END)
             return;
         else if (event == EDITOR_OTHER && key == '\t')
             toggle(&shell);
+        else if (event == EDITOR_OTHER && turn_page(&shell, key))
+            continue;
         else if (event == EDITOR_OTHER && key == KEYS_ESCAPE)
             draw_menu(&shell);
     }

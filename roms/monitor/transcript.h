@@ -3,7 +3,8 @@
  *      printf ──▶ stdout ──┬──▶ console (roms/bsp/console.h)
  *                          └──▶ the last lines ──transcript_draw──▶ a page on the stage
  *
- * Models:     TRANSCRIPT_LINES lines of TRANSCRIPT_WIDTH characters; longer ones are broken.
+ * Models:     the last TRANSCRIPT_KEPT lines of TRANSCRIPT_WIDTH characters, TRANSCRIPT_LINES a page; longer
+ *             lines are broken, where they can at a blank.
  * Ownership:  static storage; this file defines the C library's standard streams for the monitor.
  * Errors:     none.
  */
@@ -12,13 +13,14 @@
 
 #include "roms/stage/stage.h"
 
-enum { TRANSCRIPT_LINES = 30, TRANSCRIPT_WIDTH = 72 };
+enum { TRANSCRIPT_KEPT = 300, TRANSCRIPT_LINES = 28, TRANSCRIPT_WIDTH = 72 };
 
 /* What is to be seen there though it was not printed: what was typed. */
 void transcript_add(const char *text);
 /* Lines that were ended since power-on. */
 unsigned transcript_count(void);
-/* A page with the last lines, between stage_begin and stage_end. */
-void transcript_draw(struct stage *stage);
+/* A page, between stage_begin and stage_end: that of the last lines, or so many pages before. Returns how
+ * many there are before that of the last lines. */
+unsigned transcript_draw(struct stage *stage, unsigned back);
 
 #endif
