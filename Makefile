@@ -60,7 +60,7 @@ TEST_LIBS := -lcmocka -lmpfr -lgmp
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: all demo test check sanitize tsan coverage bench golden layers headers format clean help deps fuzz pictures
+.PHONY: all demo test check sanitize tsan coverage bench golden lesson-pictures layers headers format clean help deps fuzz pictures
 
 all: $(KINESCOPE)
 
@@ -163,6 +163,15 @@ pictures: all
 	./kinescope capture --type 'lesson map\n' --at 2s --view raster --size 800x600 -o roms/pictures/map.png
 	./kinescope capture --type 'lesson art\n' --at 2s --view vector --size 640x640 -o roms/pictures/art.png
 
+# Every lesson on both heads, into o/lessons/.
+lesson-pictures: all
+	@mkdir -p o/lessons
+	@printf 'lessons\nquit\n' | ./kinescope run --headless --console 2>/dev/null | sed -n 's/^  \([a-z]*\) .*/\1/p' | \
+	  while read -r name; do \
+	    ./kinescope capture --type "lesson $$name\n" --at 4s --view both --size 1200x600 -o o/lessons/$$name.png </dev/null && \
+	    echo "  o/lessons/$$name.png"; \
+	  done
+
 golden: all
 	@tests/golden.sh --regenerate ./kinescope
 	@KINESCOPE=./kinescope TEST_OUT=$(O)/test-out sh tests/roms/test_lessons.sh --regenerate tests/golden/lessons.txt
@@ -199,6 +208,7 @@ help:
 	@echo "make check       the tests of 'make test' without installing anything (TEST_ONLY=pattern)"
 	@echo "make golden      regenerate the golden traces and films (look at them before committing)"
 	@echo "make pictures    draw the pictures of the README"
+	@echo "make lesson-pictures   a picture of every lesson of the monitor, on both heads, into o/lessons/"
 	@echo "make roms        build the firmware images in roms/ anew (cross compiler: tests/toolchain.sh)"
 	@echo "make layers      check that includes go one way"
 	@echo "make headers     check that every header compiles alone"

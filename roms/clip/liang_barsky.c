@@ -37,7 +37,7 @@ bool liang_barsky_next(struct liang_barsky *k)
 }
 
 /* Far ends make steps of t coarse: what lies a little beyond an edge belongs onto it. */
-static struct point2 within(const struct clip_window *w, float x, float y)
+static struct point2 onto_window(const struct clip_window *w, float x, float y)
 {
     return (struct point2){scalar_clamp(x, w->x_min, w->x_max),
                            scalar_clamp(y, w->y_min, w->y_max)};
@@ -53,9 +53,9 @@ bool clip_liang_barsky_shown(const struct clip_window *w, struct point2 *a, stru
         return false;
     float dx = k->p[1], dy = k->p[3];
     if (k->t2 < 1)
-        *b = within(w, a->x + k->t2 * dx, a->y + k->t2 * dy);
+        *b = onto_window(w, a->x + k->t2 * dx, a->y + k->t2 * dy);
     if (k->t1 > 0)
-        *a = within(w, a->x + k->t1 * dx, a->y + k->t1 * dy);
+        *a = onto_window(w, a->x + k->t1 * dx, a->y + k->t1 * dy);
     return true;
 }
 
