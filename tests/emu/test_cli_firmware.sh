@@ -48,12 +48,12 @@ says "text that has no time to come" 3 "console:zork has not come within 100.0 m
 says "a mark that has no time to come" 3 "mark:9 has not come within 100.0 ms" \
     capture "$hello" --when mark:9 --timeout 100ms -o "$work/x.png"
 says "text that the program ends without" 1 "console:zork never comes: .* ended itself .* status 0" \
-    capture "$hello" --type '\n' --when console:zork -o "$work/x.png"
+    capture "$hello" --type '\n\x04' --when console:zork -o "$work/x.png"
 says "a refresh that the program ends without" 1 "refresh:9999 never comes" \
     capture "$stops" --when refresh:9999 -o "$work/x.png"
 says "a picture of a program that has ended in the dark" 1 \
     "hello.elf has ended itself with status 0 and has not lit the beam" \
-    capture "$hello" --type '\n' --at 1s -o "$work/x.png"
+    capture "$hello" --type '\n\x04' --at 1s -o "$work/x.png"
 check "no picture was left behind" [ ! -e "$work/x.png" ]
 
 # ---- traps --------------------------------------------------------------------------------------
