@@ -18,35 +18,9 @@
 #include "roms/raster/line_dashed.c"
 #include "roms/raster/line_thick.c"
 #include "roms/raster/polygon_fill.c"
-
-enum { WIDTH = 128, HEIGHT = 96 };
+#include "tests/roms/raster_rig.h"
 
 static const double pi = 3.14159265358979323846;
-
-static struct {
-    uint32_t words[WIDTH * HEIGHT];
-    uint32_t state;
-} rig;
-
-static uint32_t random_below(uint32_t limit)
-{
-    rig.state = rig.state * 1664525u + 1013904223u;
-    return (rig.state >> 8) % limit;
-}
-
-static float random_within(float low, float high)
-{
-    return low + (high - low) * (float)random_below(65536) / 65536;
-}
-
-static struct canvas canvas_of(unsigned bits)
-{
-    memset(rig.words, 0, sizeof rig.words);
-    struct canvas c = {.width = WIDTH, .height = HEIGHT, .bits = bits, .dots_a_row = 1};
-    c.pitch = canvas_pitch(WIDTH, bits);
-    c.pixels = (uint8_t *)rig.words;
-    return c;
-}
 
 /* ---- antialiased lines ----------------------------------------------------------------------- */
 
