@@ -49,6 +49,10 @@
 #define MAP_VIDEO_BUFFER      0x42000000
 #define MAP_VIDEO_BUFFER_SIZE 0x00800000
 
+/* Pens, tablet, touch panel, keyboard, mouse (input/input_regs.h). */
+#define MAP_INPUT      0x40030000
+#define MAP_INPUT_SIZE 0x1000
+
 /* Interrupt controller: lines to the external interrupt of the processor. Level-triggered. */
 #define MAP_IRQ          0x40040000
 #define MAP_IRQ_SIZE     0x1000

@@ -30,7 +30,7 @@ ROM_PRINTF_monitor := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 ROM_PRINTF_check_light := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 ROM_PRINTF_check_curves := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 
-ROM_LIBRARY  := bsp raster geometry clip curves solids visible light stage
+ROM_LIBRARY  := bsp raster geometry clip curves solids visible light stage interact
 # A program whose sources lie in more folders than its own.
 ROM_PARTS_monitor := commands lessons scenery
 ROM_BSP      := $(sort $(foreach d,$(ROM_LIBRARY),$(wildcard roms/$(d)/*.c)))
@@ -67,7 +67,7 @@ $(ROM_O)/link.ld: roms/bsp/link.ld emu/memmap.h roms/roms.mk
 	$(ROM_CROSS)gcc -E -P -x c -I. -o $@ $<
 
 # Pixels and places are worth the room that fast code takes.
-$(foreach d,raster pageflip visible light clip geometry curves solids stage scenery lessons,$(ROM_O)/$(d)/%.o): ROM_CFLAGS += -O2
+$(foreach d,raster pageflip visible light clip geometry curves solids stage interact scenery lessons,$(ROM_O)/$(d)/%.o): ROM_CFLAGS += -O2
 
 # Archive members without time or owner (D).
 $(ROM_O)/libbsp.a: $(ROM_BSP:roms/%.c=$(ROM_O)/%.o)

@@ -4,7 +4,7 @@
 #   roms -> only *_regs.h and memmap.h;   emu -> display_file, raster, input -> crt;   tests -> anything
 #   within emu: emu/cpu knows no other folder but crt, emu/board only emu/cpu, emu/debug both and the
 #   machine; the files of the machine (see below) know neither emu/debug nor the front ends
-#   within roms: commands, lessons -> scenery -> stage -> light -> visible -> solids -> curves, raster, clip -> geometry
+#   within roms: commands, lessons -> scenery, interact -> stage -> light -> visible -> solids -> curves, raster, clip -> geometry
 #
 # and only the GLFW, OSMesa and EGL files touch a window system.
 set -eu
@@ -43,7 +43,8 @@ bad=$(
     lib visible 'geometry|clip|raster|solids'
     lib light 'geometry|clip|raster|solids|visible'
     grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/' roms/bsp/*.[chS] | grep -vE '"roms/(bsp|raster)/' || true
-    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/(monitor|commands|lessons|scenery)/' roms/stage/*.[ch] || true
+    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/(monitor|commands|lessons|scenery|interact)/' roms/stage/*.[ch] || true
+    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/(monitor|commands|lessons|scenery)/' roms/interact/*.[ch] || true
     grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/(monitor|commands|lessons)/' roms/scenery/*.[ch] || true
     grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/commands/' roms/monitor/*.[ch] || true
     grep -nE '#[[:space:]]*include[[:space:]]+<stdio.h>' roms/geometry/*.[ch] roms/clip/*.[ch] roms/curves/*.[ch] \

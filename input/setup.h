@@ -1,0 +1,47 @@
+/* setup.h — which input devices are connected, and their figures with range and source.
+ *
+ *      --set tablet=sonic --set tablet.rate=30 --set pen.room=500 ─▶ inp_setup_set ─▶ struct inp_setup
+ *
+ * Models:     nothing; the figures are those of pen.h, tablet.h, touch.h, mouse.h, keyboard.h.
+ * Units:      there.
+ * Ownership:  plain values; sources and names are constant.
+ * Errors:     a key that is none of ours: INP_NOT_OURS; else one sentence.
+ */
+#ifndef INPUT_SETUP_H
+#define INPUT_SETUP_H
+
+#include <stdbool.h>
+
+#include "crt/error.h"
+#include "input/keyboard.h"
+#include "input/mouse.h"
+#include "input/pen.h"
+#include "input/tablet.h"
+#include "input/touch.h"
+
+struct inp_setup {
+    bool has_pen, has_keyboard;
+    struct inp_pen_setup pen;
+    struct inp_tablet_setup tablet;
+    struct inp_touch_setup touch;
+    struct inp_mouse_setup mouse;
+    struct inp_keyboard_setup keyboard;
+};
+
+/* Pen, electrical tablet, optical panel over the raster head, mechanical mouse, keyboard; every figure as
+ * listed. */
+void inp_setup_default(struct inp_setup *setup);
+
+/* The kind of a device: pen, keyboard (none, connected), tablet, touch, mouse; touch.screen (vector,
+ * raster). False: no such key (*ours false), or no such value (a sentence). */
+bool inp_setup_set_kind(struct inp_setup *setup, const char *key, const char *value, bool *ours,
+                        struct crt_error *err);
+/* The figure "pen.aperture" …; NULL: there is none. */
+struct crt_figure *inp_setup_figure(struct inp_setup *setup, const char *key, const char **unit,
+                                    const char **meaning);
+/* All of them in order, for lists and suggestions; NULL at the end. Its default and range. */
+const char *inp_setup_key(unsigned index);
+/* Whether the value lies within the range that the device can have. */
+bool inp_setup_check(const struct inp_setup *setup, const char *key, struct crt_error *err);
+
+#endif

@@ -1,0 +1,91 @@
+/* tablet.h — a digitising tablet: where a stylus or puck is, measured some 30 to 60 times a second.
+ *
+ *      stylus at x, y, z ─▶ grid of wires | spark and microphones | resistive sheet ─▶ counts ─▶ report
+ *            (mm)            tablet_electrical.c  tablet_sonic.c    tablet_resistive.c
+ *
+ * Models:     one measurement a period, at that instant; resolution, noise and what each kind gets wrong;
+ *             proximity; tip switch or buttons; place for one report, and what is lost (input_regs.h).
+ * Time:       picoseconds since power-on; report n is measured at crt_tick_time(rate, n) after it was
+ *             switched on.
+ * Position:   millimetres from the lower left corner, z up from the surface.
+ * Ownership:  the caller owns the struct; the setup must outlive it. Allocates nothing.
+ * Errors:     places off the surface are far; guest trouble is a bit of the status register.
+ */
+#ifndef INPUT_TABLET_H
+#define INPUT_TABLET_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "crt/state.h"
+#include "crt/ticks.h"
+#include "crt/tube_table.h"
+#include "input/act.h"
+#include "input/hand.h"
+#include "input/input_regs.h"
+
+/* X(field, unit, value, low, high, meaning, source) */
+#define INP_TABLET_FIGURES(X)                                                                      \
+    X(width, "mm", 280, 100, 1830, "across", "estimate: 11 inches; course tablets were 6 to 72")   \
+    X(height, "mm", 280, 100, 1830, "up", "estimate: as width")                                    \
+    X(resolution, "mm", 0.1, 0.01, 5, "of a count",                                                \
+      "estimate: accuracy of tablets is below 0.2 mm")                                             \
+    X(noise, "mm", 0.05, 0, 5, "of a measurement, root mean square", "estimate")                   \
+    X(rate, "Hz", 60, 30, 60, "reports a second", "30 to 60 are usual")                            \
+    X(near, "mm", 12.7, 1, 100, "height below which the stylus is near", "half an inch")           \
+    X(buttons, "1", 1, 1, 4, "1: a stylus with its tip switch; more: a puck with so many",         \
+      "the person's choice")                                                                       \
+    X(temperature, "C", 20, -20, 50, "of the air (sonic)", "the room's")                           \
+    X(radius, "mm", 0, 0, 5000, "of curvature: it lies over a tube (resistive); 0: flat",          \
+      "the person's choice")
+
+struct inp_tablet_setup {
+    unsigned kind; /* TABLET_NONE … TABLET_RESISTIVE */
+#define X(field, unit, value, low, high, meaning, source) struct crt_figure field;
+    INP_TABLET_FIGURES(X)
+#undef X
+};
+
+struct inp_tablet_desc {
+    const struct inp_tablet_setup *setup;
+    uint64_t seed;
+};
+
+/* What one measurement gives. */
+struct inp_tablet_report {
+    int32_t x, y, z; /* counts */
+    unsigned proximity, buttons;
+    uint32_t raw[TABLET_RAW_WORDS];
+};
+
+struct inp_tablet {
+    struct inp_tablet_desc desc;
+    struct inp_hand hand; /* away at power-on */
+    unsigned buttons;     /* held */
+    uint32_t status, control;
+    uint64_t origin;   /* when it was switched on */
+    uint64_t measured; /* measurements since then */
+    uint32_t serial;
+    struct inp_tablet_report report;
+};
+
+void inp_tablet_init(struct inp_tablet *tablet, const struct inp_tablet_desc *desc);
+void inp_tablet_reset(struct inp_tablet *tablet, uint64_t t);
+
+/* An act of INP_TABLET at t, in millimetres. */
+void inp_tablet_act(struct inp_tablet *tablet, const struct inp_act *act, uint64_t t);
+
+/* When it next measures; UINT64_MAX: never. And what happens then: true, when a report was made. */
+uint64_t inp_tablet_next(const struct inp_tablet *tablet);
+bool inp_tablet_event(struct inp_tablet *tablet, uint64_t t);
+
+/* INPUT_TABLET_… of input_regs.h at time t; false: there is none at that offset. */
+bool inp_tablet_read(const struct inp_tablet *tablet, uint32_t offset, uint32_t *value);
+bool inp_tablet_write(struct inp_tablet *tablet, uint32_t offset, uint32_t value, uint64_t t);
+/* Its bit of INPUT_STATUS. */
+bool inp_tablet_ready(const struct inp_tablet *tablet);
+
+/* A snapshot's section "TABL". */
+void inp_tablet_state(struct inp_tablet *tablet, struct crt_state *s);
+
+#endif
