@@ -26,18 +26,39 @@
 
 /* X(field, unit, value, low, high, meaning, source) */
 #define INP_TABLET_FIGURES(X)                                                                      \
-    X(width, "mm", 280, 100, 1830, "across", "estimate: 11 inches; course tablets were 6 to 72")   \
-    X(height, "mm", 280, 100, 1830, "up", "estimate: as width")                                    \
+    X(width, "mm", 280, 150, 1830, "across", "11 inches; 6 to 72 inches were made")                \
+    X(height, "mm", 280, 150, 1830, "up", "11 inches; 6 to 72 inches were made")                   \
     X(resolution, "mm", 0.1, 0.01, 5, "of a count",                                                \
       "estimate: accuracy of tablets is below 0.2 mm")                                             \
-    X(noise, "mm", 0.05, 0, 5, "of a measurement, root mean square", "estimate")                   \
+    X(noise, "mm", 0.03, 0, 0.2,                                                                   \
+      "of a measurement at the surface, root mean square (sonic: of a distance)",                  \
+      "estimate: well below the accuracy of 0.2 mm")                                               \
     X(rate, "Hz", 60, 30, 60, "reports a second", "30 to 60 are usual")                            \
-    X(near, "mm", 12.7, 1, 100, "height below which the stylus is near", "half an inch")           \
+    X(near, "mm", 12.7, 1, 25, "height below which the stylus is near (not sonic)",                \
+      "half an inch")                                                                              \
     X(buttons, "1", 1, 1, 4, "1: a stylus with its tip switch; more: a puck with so many",         \
       "the person's choice")                                                                       \
+    X(pitch, "mm", 6.35, 6.35, 12.7, "from one wire to the next (electrical)",                     \
+      "a quarter to half an inch are usual")                                                       \
+    X(coil, "mm", 10, 6, 20, "from the wires to the coil of a stylus that touches (electrical)",   \
+      "estimate: 4 mm of board above the wires, the coil 6 mm up the stylus")                      \
+    X(touch, "mm", 0.5, 0.1, 1, "height below which it takes the stylus to touch (electrical)",    \
+      "estimate: several times the noise of a height")                                             \
     X(temperature, "C", 20, -20, 50, "of the air (sonic)", "the room's")                           \
-    X(radius, "mm", 0, 0, 5000, "of curvature: it lies over a tube (resistive); 0: flat",          \
-      "the person's choice")
+    X(assumed, "C", 20, -20, 50, "of the air, as the tablet takes it to be (sonic)",               \
+      "estimate: room temperature")                                                                \
+    X(post, "mm", 100, 50, 500, "height of microphones 1 and 2 (sonic)",                           \
+      "estimate: out of the plane of the others, for heights")                                     \
+    X(clock, "MHz", 10, 1, 50, "of the counter of travel times (sonic)",                           \
+      "estimate: 0.034 mm of air a count")                                                         \
+    X(reach, "mm", 300, 10, 1000, "height below which it is heard (sonic)",                        \
+      "estimate: about the width of the tablet")                                                   \
+    X(radius, "mm", 0, 0, 5000,                                                                    \
+      "of curvature: it lies over a tube (resistive), never less than 0.55 of its diagonal; 0: "   \
+      "flat",                                                                                      \
+      "the person's choice")                                                                       \
+    X(bow, "mm", 0.1, 0, 2, "by how much lines bend at most (resistive)",                          \
+      "estimate: what remains of the other edges' conductors")
 
 struct inp_tablet_setup {
     unsigned kind; /* TABLET_NONE … TABLET_RESISTIVE */
@@ -56,6 +77,7 @@ struct inp_tablet_report {
     int32_t x, y, z; /* counts */
     unsigned proximity, buttons;
     uint32_t raw[TABLET_RAW_WORDS];
+    uint32_t serial; /* its number: 1 is the first since power-on */
 };
 
 struct inp_tablet {
@@ -63,10 +85,12 @@ struct inp_tablet {
     struct inp_hand hand; /* away at power-on */
     unsigned buttons;     /* held */
     uint32_t status, control;
-    uint64_t origin;   /* when it was switched on */
-    uint64_t measured; /* measurements since then */
-    uint32_t serial;
-    struct inp_tablet_report report;
+    uint64_t origin;                 /* when it was switched on */
+    uint64_t measured;               /* measurements since then */
+    uint32_t serial;                 /* reports made since power-on */
+    bool sensed;                     /* the latest measurement since then found it */
+    struct inp_tablet_report latest; /* the latest made, taken or lost */
+    struct inp_tablet_report report; /* what the registers hold */
 };
 
 void inp_tablet_init(struct inp_tablet *tablet, const struct inp_tablet_desc *desc);
