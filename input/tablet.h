@@ -40,7 +40,7 @@
       "the person's choice")                                                                       \
     X(pitch, "mm", 6.35, 6.35, 12.7, "from one wire to the next (electrical)",                     \
       "a quarter to half an inch are usual")                                                       \
-    X(coil, "mm", 10, 6, 20, "from the wires to the coil of a stylus that touches (electrical)",   \
+    X(coil, "mm", 10, 8, 20, "from the wires to the coil of a stylus that touches (electrical)",   \
       "estimate: 4 mm of board above the wires, the coil 6 mm up the stylus")                      \
     X(touch, "mm", 0.5, 0.1, 1, "height below which it takes the stylus to touch (electrical)",    \
       "estimate: several times the noise of a height")                                             \

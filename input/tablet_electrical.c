@@ -2,11 +2,11 @@
  * along the next, so that each pair is a loop, numbered from 0, loop n with its middle at (n − 1)·pitch.
  * The coil of the stylus, its axis upright, sees the vertical part of the field of both wires.
  *
- * The tablet takes the loop with the strongest signal and its two neighbours, lays a parabola through them,
- * and corrects the place of its crest by a cubic that is right for a stylus that touches. The height
- * follows from the crest's strength. Higher up the correction is a little wrong, and the noise, which is
- * the receiver's, weighs more: the curvature of the signal falls as the fourth power of the height above
- * the wires. */
+ * The tablet takes the loop with the strongest signal and its two neighbours and lays a parabola through
+ * them. A table in its memory tells from the parabola's crest where the stylus is, for heights STEP apart
+ * and places a 16th of the pitch apart; between them it interpolates. Which height it is follows from the
+ * strength, so that both are found in turns. Higher up the noise, which is the receiver's, weighs more: the
+ * curvature of the signal falls as the fourth power of the height above the wires. */
 #include <math.h>
 
 #include "input/tablet_kinds.h"
@@ -15,12 +15,17 @@
 #define AROUND 4
 /* Signals below this many times the noise are none. */
 #define CLEAR 5
+/* The table: heights this far apart, mm; so many places from the middle of a loop to its edge. */
+#define STEP   3.0
+#define PLACES 8
+/* Turns of finding place and height. */
+#define TURNS 3
 
 struct grid {
     double pitch, coil;
     double full;  /* signal over the middle of a loop, stylus touching */
-    double bend;  /* of the cubic */
     double sigma; /* noise of a signal */
+    double clear; /* weaker signals are none */
 };
 
 struct along {
@@ -44,20 +49,56 @@ static double crest(double before, double at, double after)
     return curve > 0 ? (after - before) / (2 * curve) : 0;
 }
 
+/* The same of a stylus at d pitches from the middle: what the table is made of. */
+static double crest_of(const struct grid *g, double d, double h)
+{
+    double x = d * g->pitch, p = g->pitch;
+    return crest(field(x + p, h, p), field(x, h, p), field(x - p, h, p));
+}
+
 static struct grid grid_of(const struct inp_tablet_setup *setup)
 {
     double p = setup->pitch.value, h = setup->coil.value;
     struct grid g = {.pitch = p, .coil = h, .full = field(0, h, p)};
-    double u = crest(field(1.25 * p, h, p), field(0.25 * p, h, p), field(0.75 * p, h, p));
-    g.bend = (0.25 - u) / (u * (1 - 4 * u * u));
     double curve = 2 * (g.full - field(p, h, p));
-    g.sigma = setup->noise.value * sqrt(2) * curve / (p * (1 + g.bend));
+    double slope = crest_of(&g, 1.0 / 16, h) * 16;
+    g.sigma = setup->noise.value * sqrt(2) * curve * slope / p;
+    double least = field(p / 2, h + 1.5 * setup->near.value, p);
+    g.clear = CLEAR * g.sigma > least ? CLEAR * g.sigma : least;
     return g;
 }
 
-static double height_of(const struct grid *g, double strength)
+/* The row of the table for one height, searched: pitches from the middle, 0 … ½. */
+static double look_up(const struct grid *g, double u, double h)
 {
-    double square = g->pitch / strength - g->pitch * g->pitch / 4;
+    double low = 0;
+    for (int i = 1; i <= PLACES; i++) {
+        double high = crest_of(g, i / (2.0 * PLACES), h);
+        if (u <= high)
+            return (i - 1 + (u - low) / (high - low)) / (2.0 * PLACES);
+        low = high;
+    }
+    return 0.5;
+}
+
+/* Pitches from the middle for the crest u, between two rows. */
+static double place_of(const struct grid *g, double u, double height)
+{
+    double row = floor(height / STEP), part = height / STEP - row;
+    double lower = look_up(g, fabs(u), g->coil + row * STEP);
+    double upper = look_up(g, fabs(u), g->coil + (row + 1) * STEP);
+    double d = lower + (upper - lower) * part;
+    return u < 0 ? -d : d;
+}
+
+/* Height of the stylus above the surface at d pitches from the middle: the field's formula is an equation
+ * of the second degree for h². */
+static double height_of(const struct grid *g, double signal, double d)
+{
+    double b = g->pitch / 2, x = d * g->pitch, out = b * b - x * x;
+    double linear = 2 * signal * (x * x + b * b) - 2 * b, rest = out * (signal * out - 2 * b);
+    double root = linear * linear - 4 * signal * rest;
+    double square = root > 0 ? (sqrt(root) - linear) / (2 * signal) : 0;
     return square > g->coil * g->coil ? sqrt(square) - g->coil : 0;
 }
 
@@ -76,15 +117,18 @@ static bool measure(const struct grid *g, double place, double z, double extent,
         if (exists && (best < 0 || signal[i] > signal[best]))
             best = i;
     }
-    if (best < 1 || best >= 2 * AROUND || signal[best] < CLEAR * g->sigma)
+    if (best < 1 || best >= 2 * AROUND || signal[best] < g->clear)
         return false;
     a->strongest = first + best;
     if (a->strongest == 0 || a->strongest == a->loops - 1)
         return false;
     double before = signal[best - 1], after = signal[best + 1];
-    double u = crest(before, signal[best], after);
-    a->place = ((double)(a->strongest - 1) + u + g->bend * u * (1 - 4 * u * u)) * g->pitch;
-    a->height = height_of(g, signal[best] + (after - before) * u / 4);
+    double u = crest(before, signal[best], after), d = u;
+    for (int turn = 0; turn < TURNS; turn++) {
+        a->height = height_of(g, signal[best], d);
+        d = place_of(g, u, a->height);
+    }
+    a->place = ((double)(a->strongest - 1) + d) * g->pitch;
     a->signal = signal[best];
     a->neighbour = before > after ? before : after;
     return true;

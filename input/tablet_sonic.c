@@ -49,6 +49,8 @@ bool tablet_sonic(const struct inp_tablet_setup *setup, struct inp_place stylus,
 {
     double r[MICROPHONES], s[MICROPHONES], most = longest(setup);
     struct tablet_measure m = {.touches = false};
+    if (stylus.z > setup->reach.value)
+        return false;
     distances(setup, stylus, r);
     for (int i = 0; i < MICROPHONES; i++) {
         double heard = r[i] + setup->noise.value * tablet_noise_next(noise);
@@ -66,5 +68,5 @@ bool tablet_sonic(const struct inp_tablet_setup *setup, struct inp_place stylus,
     if (m.place.z < 0)
         m.place.z = 0;
     *got = m;
-    return m.place.z <= setup->reach.value;
+    return true;
 }
