@@ -3,13 +3,30 @@
  *      stylus at x, y, z ─▶ grid of wires | spark and microphones | resistive sheet ─▶ counts ─▶ report
  *            (mm)            tablet_electrical.c  tablet_sonic.c    tablet_resistive.c
  *
- * Models:     one measurement a period, at that instant; resolution, noise and what each kind gets wrong;
- *             proximity; tip switch or buttons; place for one report, and what is lost (input_regs.h).
+ * Models:     one measurement a period, at that instant; resolution, noise and what each kind gets wrong:
+ *             the electrical one interpolates between wires and is less sure the higher the stylus is; the
+ *             sonic one takes the air to have the temperature it assumes; the resistive one's lines are
+ *             bent a little. Proximity, tip switch or buttons, place for one report, and what is
+ *             lost (input_regs.h).
+ * Heights:    electrical: as far as `near`, less when the signal drowns in the noise; measured, Z. Sonic: as
+ *             far as `reach`; measured, Z; no surface is needed. Resistive: as far as `near`; not
+ *             measured, Z is 0.
+ * Touching:   the tip switch of a stylus, button 0, is closed while the person presses it (INP_PRESS 0) or
+ *             its tip rests on the surface (z <= 0): both is TOUCH. A puck touches by lying on the surface,
+ *             and its buttons are those pressed. The electrical tablet also takes a measured height up
+ *             to the figure `touch` for touching. Below the surface is on it.
+ * Edges:      electrical: as far as the wires, half a pitch or more beyond; sonic: as far as the sound
+ *             arrives before the counter's end, 1.2 times the longest way on the tablet; resistive: the
+ *             sheet ends at the edges. Beyond is far.
  * Time:       picoseconds since power-on; report n is measured at crt_tick_time(rate, n) after it was
- *             switched on.
- * Position:   millimetres from the lower left corner, z up from the surface.
+ *             switched on. The rate is in thousandths of a report a second.
+ * Position:   millimetres from the lower left corner, z up from the surface. A resistive tablet over a tube
+ *             reports along its sheet, from the sheet's corner: the hand's x and y are those of the plane
+ *             that touches the tube in the middle.
  * Ownership:  the caller owns the struct; the setup must outlive it. Allocates nothing.
  * Errors:     places off the surface are far; guest trouble is a bit of the status register.
+ * Determinism: noise is a function of seed and time (input/noise.h).
+ * Not modelled: the time that sound and computing take: a report is there at the instant it is of.
  */
 #ifndef INPUT_TABLET_H
 #define INPUT_TABLET_H
@@ -96,10 +113,12 @@ struct inp_tablet {
 void inp_tablet_init(struct inp_tablet *tablet, const struct inp_tablet_desc *desc);
 void inp_tablet_reset(struct inp_tablet *tablet, uint64_t t);
 
-/* An act of INP_TABLET at t, in millimetres. */
+/* An act of INP_TABLET at t, in millimetres. A button beyond figure `buttons` is ignored; a hand that goes
+ * away lets go of all. */
 void inp_tablet_act(struct inp_tablet *tablet, const struct inp_act *act, uint64_t t);
 
-/* When it next measures; UINT64_MAX: never. And what happens then: true, when a report was made. */
+/* When it next measures; UINT64_MAX: never. And what happens then: true, when a report was made, also
+ * one that is lost. */
 uint64_t inp_tablet_next(const struct inp_tablet *tablet);
 bool inp_tablet_event(struct inp_tablet *tablet, uint64_t t);
 
