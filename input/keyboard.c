@@ -242,9 +242,10 @@ static void repeat_state(struct inp_keyboard *k, struct crt_state *s)
     crt_state_u64(s, &k->repeat_from);
     crt_state_u64(s, &k->repeats);
     bool rest = !k->character && !k->repeat_from && !k->repeats;
-    bool sane = k->repeating ? is_held(k, k->repeating) && repeats(k, k->repeating) : rest;
-    if (!crt_state_check(s, sane && k->repeat_from < CRT_STATE_LATEST && k->repeats <= REPEATS_MOST,
-                         "key that repeats"))
+    bool possible = k->repeating ? is_held(k, k->repeating) && repeats(k, k->repeating) : rest;
+    bool in_time = k->repeat_from < CRT_STATE_LATEST &&
+                   k->repeats <= crt_tick_at(repeat_rate(k), CRT_STATE_LATEST);
+    if (!crt_state_check(s, possible && in_time, "key that repeats"))
         end_repeat(k);
 }
 
