@@ -68,8 +68,10 @@ static void send(struct inp_keyboard *k, uint8_t code, uint8_t character, uint64
     if (!(k->control & KEY_CONSOLE) || !k->desc.send)
         return;
     size_t length = inp_key_sent(code, character, modifiers(k), bytes);
-    if (length > 0)
-        k->desc.send(k->desc.ctx, bytes, length, t);
+    if (length > 0 && !k->desc.send(k->desc.ctx, bytes, length, t)) {
+        k->status |= KEY_LOST;
+        k->missed++;
+    }
 }
 
 /* ---- repeat ------------------------------------------------------------------------------------ */

@@ -48,9 +48,9 @@ struct inp_keyboard_setup {
 
 struct inp_keyboard_desc {
     const struct inp_keyboard_setup *setup;
-    /* What goes to the console; may be NULL. */
+    /* What goes to the console; false: there is no room, and it is lost. May be NULL. */
     void *ctx;
-    void (*send)(void *ctx, const char *bytes, size_t length, uint64_t t);
+    bool (*send)(void *ctx, const char *bytes, size_t length, uint64_t t);
 };
 
 struct inp_keyboard {
