@@ -13,6 +13,7 @@
 
 #include "roms/bsp/board.h"
 #include "roms/bsp/console.h"
+#include "roms/bsp/interrupts.h"
 #include "roms/calibrate/calibrate.h"
 #include "roms/stage/ink.h"
 
@@ -34,31 +35,49 @@ static bool open_head(struct calibration *c)
     return true;
 }
 
-/* In retrace: the first firing of the field that has just ended, if there was one. Those of the rows below
- * it came while it stood. */
-static bool field(struct pen_hit *hit)
+/* ---- firings ----------------------------------------------------------------------------------------- */
+
+static struct pen_rows coming;
+
+/* One firing a row: none may wait for the next one. */
+static void fired(void *ctx)
+{
+    struct pen_hit hit;
+    (void)ctx;
+    pen_tip_moved(INPUT_RASTER);
+    while (pen_hit_take(&hit))
+        if (!pen_rows_add(&coming, &hit)) {
+            coming.count = 0;
+            pen_rows_add(&coming, &hit);
+        }
+}
+
+/* In retrace: those of the field that has just ended. */
+static struct pen_rows field(void)
 {
     video_wait_retrace();
-    return pen_hit_take(hit);
+    uint32_t state = irq_lock();
+    struct pen_rows rows = coming;
+    coming.count = 0;
+    irq_unlock(state);
+    return rows;
 }
 
 static void wait_for_release(void)
 {
-    struct pen_hit hit;
     while (pen_tip(INPUT_RASTER))
-        field(&hit);
+        field();
 }
 
 static void measure(struct calibration *c, int number)
 {
     struct firings firings = {0};
     struct place *place = &c->place[number];
-    struct pen_hit hit;
     int drawn = -1;
     picture_target(c, number);
     for (bool done = false; !done;) {
-        bool fired = field(&hit);
-        done = measure_field(c, &firings, place, pen_tip(INPUT_RASTER), fired ? &hit : NULL);
+        struct pen_rows rows = field();
+        done = measure_field(c, &firings, place, pen_tip(INPUT_RASTER), &rows);
         int now = done ? HITS : firings.count;
         if (now != drawn)
             picture_progress(c, number, now);
@@ -72,15 +91,15 @@ static void measure(struct calibration *c, int number)
 /* The pen draws, corrected, over the results. */
 static void play(const struct calibration *c)
 {
-    struct pen_hit hit;
     pen_raster_on(false);
     for (;;) {
         int key = console_poll();
+        float line, dot;
         if (key == 'q' || key == CONSOLE_EOF)
             return;
-        if (field(&hit))
-            picture_pen(c, (int)((float)hit.dot - c->dots + 0.5f),
-                        (int)((float)hit.line - c->lines + 0.5f), pen_tip(INPUT_RASTER));
+        struct pen_rows rows = field();
+        if (pen_rows_middle(&rows, &line, &dot, NULL))
+            picture_pen(c, dot, line, pen_tip(INPUT_RASTER));
     }
 }
 
@@ -94,6 +113,7 @@ int main(void)
     }
     targets_place(c);
     report_begin(c);
+    input_on(INPUT_BIT_PEN_RASTER, fired, NULL);
     pen_raster_on(true);
     for (int i = 0; i < TARGETS; i++)
         measure(c, i);

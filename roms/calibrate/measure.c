@@ -1,4 +1,5 @@
 /* measure.c — firings of some fields to one place; places to one offset. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,52 +13,57 @@ enum {
 
 static int compare(const void *a, const void *b)
 {
-    return *(const int *)a - *(const int *)b;
+    float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
 }
 
 /* The middle one; *spread: from the first to the last. */
-static int median(const int *values, int *spread)
+static float median(const float *values, int count, float *spread)
 {
-    int sorted[HITS];
-    memcpy(sorted, values, sizeof sorted);
-    qsort(sorted, HITS, sizeof *sorted, compare);
-    *spread = sorted[HITS - 1] - sorted[0];
-    return sorted[HITS / 2];
+    float sorted[HITS];
+    memcpy(sorted, values, (size_t)count * sizeof *sorted);
+    qsort(sorted, (size_t)count, sizeof *sorted, compare);
+    *spread = sorted[count - 1] - sorted[0];
+    return sorted[count / 2];
 }
 
 /* No pen is so late that it would be nearer to another target. */
-static bool from_elsewhere(const struct calibration *c, const struct place *place,
-                           const struct pen_hit *hit)
+static bool from_elsewhere(const struct calibration *c, const struct place *place, float dot,
+                           float line)
 {
-    return abs((int)hit->dot - place->x) > (int)c->timing.h_visible / 8 ||
-           abs((int)hit->line - place->y) > (int)c->timing.v_visible / 8;
+    return fabsf(dot - (float)place->x) > (float)c->timing.h_visible / 8 ||
+           fabsf(line - (float)place->y) > (float)c->timing.v_visible / 8;
 }
 
 static bool fill_in(struct firings *f, struct place *place)
 {
-    int lines;
-    place->dot = median(f->dot, &place->spread);
-    place->line = median(f->line, &lines);
+    float lines;
+    place->dot = median(f->dot, HITS, &place->spread);
+    place->line = median(f->line, HITS, &lines);
     f->count = 0;
     if (place->spread > UNSTEADY_DOTS || lines > UNSTEADY_LINES)
         return false;
-    place->dx = (float)(place->dot - place->x);
-    place->dy = (float)(place->line - place->y);
+    place->dx = place->dot - (float)place->x;
+    place->dy = place->line - (float)place->y;
     place->measured = true;
     return true;
 }
 
 bool measure_field(const struct calibration *c, struct firings *f, struct place *place,
-                   bool pressed, const struct pen_hit *hit)
+                   bool pressed, const struct pen_rows *rows)
 {
+    float dot, line;
+    unsigned seen;
     if (!pressed) {
         f->count = f->skipped = 0;
         return false;
     }
-    if (hit == NULL || from_elsewhere(c, place, hit) || f->skipped++ < SETTLE)
+    if (!pen_rows_middle(rows, &line, &dot, &seen) || from_elsewhere(c, place, dot, line) ||
+        f->skipped++ < SETTLE)
         return false;
-    f->dot[f->count] = (int)hit->dot;
-    f->line[f->count] = (int)hit->line;
+    f->dot[f->count] = dot;
+    f->line[f->count] = line;
+    place->rows = (int)seen;
     return ++f->count == HITS && fill_in(f, place);
 }
 
@@ -69,11 +75,13 @@ void measure_left(const struct calibration *c, struct place *place)
 
 void measure_offset(struct calibration *c)
 {
-    c->dots = c->lines = 0;
+    float dx[TARGETS], dy[TARGETS], spread;
     for (int i = 0; i < TARGETS; i++) {
-        c->dots += c->place[i].dx / TARGETS;
-        c->lines += c->place[i].dy / TARGETS;
+        dx[i] = c->place[i].dx;
+        dy[i] = c->place[i].dy;
     }
+    c->dots = median(dx, TARGETS, &spread);
+    c->lines = median(dy, TARGETS, &spread);
     c->found = true;
     for (int i = 0; i < TARGETS; i++)
         measure_left(c, &c->place[i]);
@@ -81,5 +89,5 @@ void measure_offset(struct calibration *c)
 
 float measure_length(float x, float y)
 {
-    return __builtin_sqrtf(x * x + y * y);
+    return sqrtf(x * x + y * y);
 }

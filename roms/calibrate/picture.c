@@ -115,8 +115,9 @@ static void errors(const struct calibration *c, const struct canvas *page)
         int x = scalar_nearest((float)p->x + p->left_x),
             y = scalar_nearest((float)p->y + p->left_y);
         mark(page, p->x, p->y, 3 * c->half_y / 2, INK_GRID);
-        canvas_line(page, p->x, p->y, p->dot, p->line, INK_RED);
-        canvas_frame(page, p->dot - 2 * c->scale, p->line - 2 * c->scale, 4 * c->scale + 1,
+        int dot = scalar_nearest(p->dot), line = scalar_nearest(p->line);
+        canvas_line(page, p->x, p->y, dot, line, INK_RED);
+        canvas_frame(page, dot - 2 * c->scale, line - 2 * c->scale, 4 * c->scale + 1,
                      4 * c->scale + 1, c->scale, INK_RED);
         canvas_frame(page, x - 4 * c->scale, y - 4 * c->scale, 8 * c->scale + 1, 8 * c->scale + 1,
                      1, i < TARGETS ? INK_GREEN : INK_CYAN);
@@ -166,9 +167,10 @@ void picture_results(struct calibration *c)
     show(c);
 }
 
-void picture_pen(const struct calibration *c, int dot, int line, bool pressed)
+void picture_pen(const struct calibration *c, float dot, float line, bool pressed)
 {
+    int x = scalar_nearest(dot - c->dots), y = scalar_nearest(line - c->lines);
     const struct canvas *page = &c->page[c->shown];
-    canvas_fill(page, dot - c->scale, line - c->scale, 2 * c->scale + 1, 2 * c->scale + 1,
+    canvas_fill(page, x - c->scale, y - c->scale, 2 * c->scale + 1, 2 * c->scale + 1,
                 pressed ? INK_YELLOW : INK_ORANGE);
 }

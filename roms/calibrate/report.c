@@ -26,13 +26,15 @@ void report_begin(const struct calibration *c)
 
 static void row(const char *kind, int number, const struct place *p)
 {
-    char bx[12], by[12], ax[12], ay[12];
-    report_tenths(bx, sizeof bx, p->dx, 7, true);
-    report_tenths(by, sizeof by, p->dy, 6, true);
-    report_tenths(ax, sizeof ax, p->left_x, 7, true);
-    report_tenths(ay, sizeof ay, p->left_y, 6, true);
-    printf("%-6s %2d %5d %5d %5d %5d %6d %s %s %s %s\n", kind, number, p->x, p->y, p->dot, p->line,
-           p->spread, bx, by, ax, ay);
+    const float values[] = {p->dot, p->line, p->spread, p->dx, p->dy, p->left_x, p->left_y};
+    static const int widths[] = {7, 7, 7, 8, 6, 8, 6};
+    printf("%-6s %2d %5d %5d", kind, number, p->x, p->y);
+    for (int i = 0; i < 7; i++) {
+        char text[16];
+        report_tenths(text, sizeof text, values[i], widths[i], i > 2);
+        printf("%s", text);
+    }
+    printf(" %5d\n", p->rows);
 }
 
 static void worst(const struct calibration *c, const char *kind, int first, int end)
@@ -52,17 +54,15 @@ static void worst(const struct calibration *c, const char *kind, int first, int 
 void report_offset(const struct calibration *c)
 {
     char dots[12], lines[12];
-    printf("                  pen fires at       error before  error after\n");
-    printf("target       x     y   dot  line spread    dots  lines    dots  lines\n");
+    printf("                       pen fires at           error before   error after\n");
+    printf("target       x     y    dot   line spread    dots lines    dots lines  rows\n");
     for (int i = 0; i < TARGETS; i++)
         row("target", i + 1, &c->place[i]);
     worst(c, "targets", 0, TARGETS);
     report_tenths(dots, sizeof dots, c->dots, 0, true);
     report_tenths(lines, sizeof lines, c->lines, 0, true);
-    float rows = c->timing.v_visible > 0 ? (float)c->timing.v_visible : 1;
-    printf("offset: %s dots, %s lines: %d ns late, %d um above the middle\n", dots, lines,
-           scalar_nearest(c->dots * 1e9f / (float)c->timing.clock_hz),
-           scalar_nearest(-c->lines * (float)video_height_um() / rows));
+    printf("offset: %s dots, %s lines: %d ns at this dot clock\n", dots, lines,
+           scalar_nearest(c->dots * 1e9f / (float)c->timing.clock_hz));
 }
 
 void report_checks(const struct calibration *c)

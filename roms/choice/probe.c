@@ -52,7 +52,7 @@ void probe_step(struct probe *p, float seconds)
     p->on &= ~probe_disabled(p); /* without power it stops */
     p->attitude += (p->slider.value - p->attitude) * scalar_min(3 * seconds, 1);
     for (int i = 0; i < PARTS; i++) {
-        float to = p->on >> i & 1 ? 1 : 0, most = seconds / (i == PART_ENGINE ? 0.2f : 1.2f);
+        float to = p->on >> i & 1 ? 1.0f : 0.0f, most = seconds / (i == PART_ENGINE ? 0.2f : 1.2f);
         p->out[i] += scalar_clamp(to - p->out[i], -most, most);
     }
 }
