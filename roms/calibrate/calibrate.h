@@ -48,6 +48,7 @@ struct calibration {
     struct place place[PLACES];
     bool found; /* the offset is known */
     float dots, lines;
+    int late_ns, sees_um; /* what is behind them */
 };
 
 /* measure.c */

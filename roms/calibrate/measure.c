@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "roms/calibrate/calibrate.h"
+#include "roms/geometry/scalar.h"
 
 enum {
     SETTLE = 2,         /* fields after the press that do not count: the hand still moves */
@@ -73,6 +74,19 @@ void measure_left(const struct calibration *c, struct place *place)
     place->left_y = place->dy - c->lines;
 }
 
+/* In its rows the pen shows how large a spot it sees: so that and the time, both of which are in the offset,
+ * are told apart. */
+static void find_pen(struct calibration *c)
+{
+    float rows = 0;
+    for (int i = 0; i < TARGETS; i++)
+        rows += (float)c->place[i].rows / TARGETS;
+    float um = rows * (float)video_height_um() / (float)c->timing.v_visible;
+    float radius = um / 2 * (float)c->timing.h_visible / (float)video_width_um(); /* dots */
+    c->sees_um = scalar_nearest(um);
+    c->late_ns = scalar_nearest((c->dots + radius) * 1e9f / (float)c->timing.clock_hz);
+}
+
 void measure_offset(struct calibration *c)
 {
     float dx[TARGETS], dy[TARGETS], spread;
@@ -85,6 +99,7 @@ void measure_offset(struct calibration *c)
     c->found = true;
     for (int i = 0; i < TARGETS; i++)
         measure_left(c, &c->place[i]);
+    find_pen(c);
 }
 
 float measure_length(float x, float y)

@@ -125,43 +125,67 @@ static void errors(const struct calibration *c, const struct canvas *page)
     }
 }
 
-/* What is left, enlarged: a square is a pixel, the target its middle. */
+/* All errors on one target, enlarged: a square is a pixel. */
+struct lens {
+    const struct canvas *page;
+    int cell, columns, rows, left, top; /* of a square; how many; dots and lines of the corner */
+    int x, y;                           /* middle of the target */
+};
+
+static struct lens lens_of(const struct calibration *c, const struct canvas *page)
+{
+    enum { ROWS = 5, BEFORE = 8 /* squares left of the target */ };
+    struct lens l = {.page = page, .cell = page->height * 9 / 480, .rows = ROWS};
+    l.columns = page->width * 9 / 10 / l.cell;
+    l.left = (page->width - l.columns * l.cell) / 2;
+    l.top = page->height - ROWS * l.cell - 4 * c->scale;
+    l.x = l.left + BEFORE * l.cell + l.cell / 2;
+    l.y = l.top + ROWS / 2 * l.cell + l.cell / 2;
+    return l;
+}
+
+static void in_lens(const struct lens *l, float dx, float dy, int arm, enum ink ink)
+{
+    int x = l->x + scalar_nearest(dx * (float)l->cell),
+        y = l->y + scalar_nearest(dy * (float)l->cell);
+    if (x > l->left && x < l->left + l->columns * l->cell && y > l->top &&
+        y < l->top + l->rows * l->cell)
+        mark(l->page, x, y, arm, ink);
+}
+
 static void enlarged(const struct calibration *c, const struct canvas *page)
 {
-    enum { PIXELS = 3 };
-    int cell = page->height / 22, size = PIXELS * cell;
-    int left = page->width / 2 - size / 2, top = c->place[4].y - size / 2;
-    canvas_fill(page, left - 6, top - 6, size + 13, size + 13, INK_BLACK);
-    for (int k = 0; k <= PIXELS; k++) {
-        canvas_line(page, left + k * cell, top, left + k * cell, top + size, INK_GRID);
-        canvas_line(page, left, top + k * cell, left + size, top + k * cell, INK_GRID);
-    }
+    struct lens l = lens_of(c, page);
+    for (int k = 0; k <= l.columns; k++)
+        canvas_line(page, l.left + k * l.cell, l.top, l.left + k * l.cell, l.top + l.rows * l.cell,
+                    INK_GRID);
+    for (int k = 0; k <= l.rows; k++)
+        canvas_line(page, l.left, l.top + k * l.cell, l.left + l.columns * l.cell,
+                    l.top + k * l.cell, INK_GRID);
+    canvas_frame(page, l.x - l.cell / 2, l.y - l.cell / 2, l.cell + 1, l.cell + 1, c->scale,
+                 INK_BRIGHT);
     for (int i = 0; i < PLACES; i++) {
         const struct place *p = &c->place[i];
-        float reach = 0.5f * PIXELS;
-        int x =
-            left + size / 2 + scalar_nearest(scalar_clamp(p->left_x, -reach, reach) * (float)cell);
-        int y =
-            top + size / 2 + scalar_nearest(scalar_clamp(p->left_y, -reach, reach) * (float)cell);
-        mark(page, x, y, 3 * c->scale, i < TARGETS ? INK_GREEN : INK_CYAN);
+        in_lens(&l, p->dx, p->dy, 3 * c->scale, INK_RED);
+        in_lens(&l, p->left_x, p->left_y, 3 * c->scale, i < TARGETS ? INK_GREEN : INK_CYAN);
     }
-    canvas_text_middle(page, page->width / 2, top + size + 4, c->scale, c->scale, INK_GRID,
-                       "a square is a pixel");
+    canvas_text_middle(page, page->width / 2, l.top - (FONT_HEIGHT + 1) * c->scale, c->scale,
+                       c->scale, INK_TEXT, "all on one target: a square is a pixel");
 }
 
 void picture_results(struct calibration *c)
 {
-    char words[96], dots[12], lines[12];
+    char words[96], dots[12], lines[12], sees[12];
     struct canvas *page = hidden(c);
     canvas_clear(page, INK_BLACK);
     text(c, page, 0, INK_BRIGHT, "LIGHT PEN: HOW LATE IT IS");
     report_tenths(dots, sizeof dots, c->dots, 0, true);
     report_tenths(lines, sizeof lines, c->lines, 0, true);
-    snprintf(words, sizeof words, "%s dots, %s lines: %d ns at %d MHz; q ends", dots, lines,
-             scalar_nearest(c->dots * 1e9f / (float)c->timing.clock_hz),
-             scalar_nearest((float)c->timing.clock_hz * 1e-6f));
+    report_tenths(sees, sizeof sees, (float)c->sees_um / 1000, 0, false);
+    snprintf(words, sizeof words, "%s dots, %s lines: %d ns late, sees %s mm", dots, lines,
+             c->late_ns, sees);
     text(c, page, 1, INK_TEXT, words);
-    text(c, page, 2, INK_GRID, "red: where it fired   green, blue: corrected");
+    text(c, page, 2, INK_TEXT, "red: where it fired   green, blue: corrected   q: ends");
     errors(c, page);
     enlarged(c, page);
     show(c);

@@ -61,8 +61,8 @@ void report_offset(const struct calibration *c)
     worst(c, "targets", 0, TARGETS);
     report_tenths(dots, sizeof dots, c->dots, 0, true);
     report_tenths(lines, sizeof lines, c->lines, 0, true);
-    printf("offset: %s dots, %s lines: %d ns at this dot clock\n", dots, lines,
-           scalar_nearest(c->dots * 1e9f / (float)c->timing.clock_hz));
+    printf("offset: %s dots, %s lines\n", dots, lines);
+    printf("pen: sees %d um, fires %d ns late\n", c->sees_um, c->late_ns);
 }
 
 void report_checks(const struct calibration *c)

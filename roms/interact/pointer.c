@@ -22,14 +22,21 @@ static float apart(struct point2 a, struct point2 b)
     return hypotf(a.x - b.x, a.y - b.y);
 }
 
+/* Of an offset: the beam goes on while the pen is late, and came in left of the middle. */
+static float usual_dots(void)
+{
+    struct video_timing t = video_timing();
+    float dots = video_width_um() > 0 ? (float)t.h_visible / (float)video_width_um() : 0;
+    return (float)t.clock_hz * (POINTER_PEN_LATE_NS * 1e-9f) - POINTER_PEN_SEES_UM / 2.0f * dots;
+}
+
 void pointer_open(struct pointer *p, struct stage *stage)
 {
     *p = (struct pointer){.at = {STAGE_WIDTH / 2, STAGE_HEIGHT / 2}, .stage = stage};
-    struct video_timing timing = video_timing();
     p->tablet = tablet_facts();
     p->touch = touch_facts();
     p->mouse_nm = mouse_unit_nm();
-    pointer_calibrate(p, (float)timing.clock_hz * (POINTER_PEN_LATE_NS * 1e-9f), 0);
+    pointer_calibrate(p, usual_dots(), 0);
     pointer_listen(p);
 }
 

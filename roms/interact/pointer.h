@@ -55,10 +55,10 @@ enum {
     POINTER_TRACKED = POINTER_DEVICES /* private: the pen on the vector head */
 };
 
-/* What the pen of the raster head is late by, unless calibration has said otherwise: time until the
- * latch, less the way from the left edge of what it sees to the middle. What roms/calibrate finds with
- * the figures of input/pen.h. */
-#define POINTER_PEN_LATE_NS 300
+/* The pen of the raster head, unless calibration has said otherwise: how late it fires after the beam has come
+ * into what it sees, and how large that is. What roms/calibrate finds with the figures of input/pen.h. */
+#define POINTER_PEN_LATE_NS 360
+#define POINTER_PEN_SEES_UM 4050
 
 /* What a device said. x, y: tablet: counts; touch panel: micrometres; mouse: counts since its report
  * before; raster pen: dot, line of the beam, z its field. */
