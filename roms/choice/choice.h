@@ -105,7 +105,8 @@ void probe_step(struct probe *probe, float seconds);
 void probe_draw(const struct probe *probe, struct stage *stage, bool marked);
 extern const struct choose_item probe_items[];
 
-void signals_draw(const struct sources *sources, struct stage *stage);
+void signals_draw(const struct sources *sources, const struct pointer *pointer,
+                  struct stage *stage);
 
 /* ---- the program ------------------------------------------------------------------------------------- */
 

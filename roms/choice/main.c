@@ -99,6 +99,10 @@ static void pointed(struct choice *c)
         source_pointed(&c->sources, &c->pointer, c->side.items[item].label);
         choose_item(c, item);
     }
+    if (c->page == PAGE_SIGNALS && c->pointer.pressed_now &&
+        choose_at(&c->tabs, c->pointer.pressed_at) == CHOOSE_NONE &&
+        choose_at(&c->side, c->pointer.pressed_at) == CHOOSE_NONE)
+        source_pointed(&c->sources, &c->pointer, "Place");
     for (int i = 0; i < count; i++) {
         bool done;
         if (slider_event(&slider[i], &c->pointer, &done))
@@ -177,7 +181,7 @@ static void draw(struct choice *c)
     else if (c->page == PAGE_PROBE)
         probe_draw(&c->probe, s, c->slider == 0);
     else
-        signals_draw(&c->sources, s);
+        signals_draw(&c->sources, &c->pointer, s);
     sources_draw(&c->sources, s);
     cursor(&c->pointer, s);
     stage_caption(s, captions[c->page]);

@@ -91,6 +91,7 @@ struct pointer {
     unsigned buttons;             /* others: bit 1, 2, 3 */
     bool lost;                    /* reports were lost: a stroke may have a gap */
     struct pointer_report report; /* the last of the device that has the pointer */
+    int32_t mouse_x, mouse_y;     /* counts in all */
     /* Private. */
     struct stage *stage;
     struct tablet_facts tablet;
@@ -101,6 +102,7 @@ struct pointer {
     /* The raster pen, as reports are taken. */
     struct point2 pen_at, pen_place; /* of the last firing; of the last that was believed */
     uint32_t pen_time, pen_seen;     /* when that was */
+    int32_t pen_said[3];             /* x, y, z of its report */
     uint32_t pen_pushed;             /* when the tip was pressed that is not yet told of */
     bool pen_fired, pen_sees, pen_tip, pen_waits, pen_tap;
     /* Written by handlers. */
