@@ -98,7 +98,7 @@ static bool same(const char *name, const char *text, size_t length)
 uint8_t inp_key_named(const char *name, size_t length)
 {
     uint8_t code = length == 1 ? (uint8_t)upper(*name) : 0;
-    if (code && inp_key_name(code) && code != ' ')
+    if (code > ' ' && code < 0x80 && inp_key_name(code))
         return code;
     for (unsigned i = 0; i < 256; i++)
         if (named[i] && same(named[i], name, length))
