@@ -2,7 +2,6 @@
 #include "input/script.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "input/script_parts.h"
 
@@ -11,7 +10,7 @@
 static bool make_room(struct inp_reader *r)
 {
     struct inp_script *script = r->script;
-    if (script->count < r->room)
+    if (script->count < r->room && script->count < INP_SCRIPT_MOST)
         return true;
     size_t room = r->room ? 2 * r->room : 64;
     if (script->count >= INP_SCRIPT_MOST)
@@ -147,8 +146,8 @@ bool inp_script_parse(struct inp_script *script, const char *name, const char *t
 {
     struct inp_reader r = {.script = script, .err = err, .name = name, .line = 1};
     *script = (struct inp_script){.act = NULL};
-    r.at = r.line_start = text;
-    r.end = text + length;
+    r.at = r.line_start = length ? text : "";
+    r.end = r.at + length;
     r.screen[INP_PEN] = INP_VECTOR;
     r.screen[INP_TOUCH] = INP_RASTER;
     bool ok = lines(&r);

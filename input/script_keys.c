@@ -159,10 +159,8 @@ static bool key_chord(struct inp_reader *r, const struct inp_word *word)
     uint8_t character;
     uint64_t held;
     bool given;
-    if (!take_as(r, &given, &character) || !inp_script_in(r, HOLD, &held))
-        return false;
-    struct inp_word next = r->word;
-    if (!read_chord(r, word, &chord))
+    if (!read_chord(r, word, &chord) || !take_as(r, &given, &character) ||
+        !inp_script_in(r, HOLD, &held))
         return false;
     for (unsigned i = 0; i < chord.count; i++) {
         bool last = i + 1 == chord.count;
@@ -173,7 +171,6 @@ static bool key_chord(struct inp_reader *r, const struct inp_word *word)
     for (unsigned i = chord.count; i-- > 0;)
         if (!add_key(r, INP_RELEASE, chord.code[i], held))
             return false;
-    r->word = next;
     return true;
 }
 
