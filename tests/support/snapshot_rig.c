@@ -168,8 +168,8 @@ struct crt_state snap_save(struct snap_run *r)
 bool snap_load(struct snap_run *r, const uint8_t *bytes, size_t size, struct crt_error *err)
 {
     bool ok = vm_snapshot_read(bytes, size, "FILE", &r->rig, &r->settings, &r->input, err);
-    r->rig.machine->dpu.desc.beam.offer =
-        r->pen ? pen : NULL; /* loading has wired the machine's own */
+    if (r->pen) /* loading has wired the machine's own */
+        r->rig.machine->dpu.desc.beam.offer = pen;
     return ok;
 }
 
