@@ -204,11 +204,12 @@ static void lifted_it_does_not_count(void **state)
             mouse_rig_act(&r, INP_AWAY, 0, t);
             mouse_rig_clear(&r, t);
             int32_t x = mouse_rig_x(&r, t), y = mouse_rig_y(&r, t);
+            unsigned phases = mouse_rig_get(&r, INPUT_MOUSE_PHASES, t);
             if (i % 2)
                 mouse_rig_move(&r, t, 7 * MS, (int32_t)mouse_rig_roll(&row, -90000, 90000), -7777);
             t += 25 * MS;
             mouse_rig_run(&r, t);
-            unsigned phases = mouse_rig_get(&r, INPUT_MOUSE_PHASES, t);
+            assert_int_equal(mouse_rig_get(&r, INPUT_MOUSE_PHASES, t), phases);
             mouse_rig_act(&r, INP_BACK, 0, t);
             assert_true(mouse_rig_x(&r, t) == x && mouse_rig_y(&r, t) == y);
             assert_false(inp_mouse_ready(&r.mouse));

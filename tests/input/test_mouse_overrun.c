@@ -141,6 +141,25 @@ static void counts_are_those_of_a_model(void **state)
     assert_true(missing > 30);
 }
 
+/* To and fro over an edge, slowly but often: nothing is missing, and soon after counts come as ever. */
+static void an_edge_crossed_often_blocks_nothing(void **state)
+{
+    (void)state;
+    struct mouse_rig r;
+    mouse_rig_open(&r, MOUSE_MECHANICAL);
+    mouse_rig_move(&r, 0, MS, 125, 0);
+    uint64_t t = 2 * MS, step = 4 * CRT_PS_PER_US;
+    for (int i = 0; i < 1000; i++, t += step) {
+        mouse_rig_run(&r, t);
+        mouse_rig_move(&r, t, step, i % 2 ? 1 : -1, 0);
+    }
+    mouse_rig_run(&r, t);
+    assert_int_equal(mouse_rig_x(&r, t), 1);
+    mouse_rig_move(&r, t + MS, 0, 750, 0);
+    assert_int_equal(mouse_rig_x(&r, t + MS), 4);
+    assert_false(overrun(&r, t + MS));
+}
+
 /* ---- a window ---------------------------------------------------------------------------------- */
 
 /* Tells of moves 60 times a second, after they were made. */
@@ -213,6 +232,7 @@ int main(void)
         cmocka_unit_test(at_the_limit_nothing_is_missing),
         cmocka_unit_test(axes_are_limited_apart),
         cmocka_unit_test(counts_are_those_of_a_model),
+        cmocka_unit_test(an_edge_crossed_often_blocks_nothing),
         cmocka_unit_test(hands_are_slow_enough_for_windows),
         cmocka_unit_test(floods_are_cheap),
     };

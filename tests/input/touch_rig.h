@@ -73,6 +73,30 @@ static inline unsigned touch_rig_run(struct touch_rig *r, uint64_t until)
     return told;
 }
 
+/* Switches on at 0, the finger being there, and takes the first report. */
+static inline bool touch_rig_first(struct touch_rig *r)
+{
+    touch_rig_set(r, INPUT_TOUCH_CONTROL, TOUCH_ON, 0);
+    bool told = inp_touch_event(&r->touch, inp_touch_next(&r->touch));
+    assert_int_equal(told, (touch_rig_get(r, INPUT_TOUCH_STATUS) & TOUCH_TOUCHED) != 0);
+    return told;
+}
+
+static inline bool touch_rig_unsure(const struct touch_rig *r)
+{
+    return (touch_rig_get(r, INPUT_TOUCH_STATUS) & TOUCH_UNSURE) != 0;
+}
+
+/* Where the registers put a position on an axis (0 across, 1 up), mm from the middle of the screen. */
+static inline double touch_rig_mm(const struct touch_rig *r, int axis, unsigned beam)
+{
+    bool across = axis == 0;
+    double first = (int32_t)touch_rig_get(r, across ? INPUT_TOUCH_LEFT : INPUT_TOUCH_BOTTOM);
+    double pitch = touch_rig_get(r, across ? INPUT_TOUCH_PITCH_X : INPUT_TOUCH_PITCH_Y);
+    double extent = across ? r->touch.desc.width_mm : r->touch.desc.height_mm;
+    return (first + pitch * beam) / 1000 - extent / 2;
+}
+
 /* Where a program puts the finger, mm from the middle of the screen. */
 static inline double touch_rig_x(const struct touch_rig *r)
 {
