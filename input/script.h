@@ -18,8 +18,8 @@
  *
  *      [at T | +T] WHAT
  *
- *             It begins at T; or T after the end of the statement before it; or where that ended. `in T` says how
- *             long it takes. `at` may go back, but not before the beginning of the statement before
+ *             It begins at T; or T after the end of the statement before it; or where that ended. `in T`
+ *             says how long it takes. `at` may go back, but not before the beginning of the statement before
  *             it: what takes long goes on while later ones begin (a pen moves, keys are typed), and acts
  *             are put in order of time; of equal times, those of earlier statements first.
  *
@@ -41,9 +41,9 @@
  *             surface, where the tip (button 0) is pressed at the end of the move, if it was not.
  * tap, click: pressed for T, 80 ms if not said; the finger is away after it.
  * force:      of the finger in newtons; not said: what the panel takes for usual.
- * K:          the names of inp_key_name() (keyboard.h), without regard to case; UNKNOWN, of down and up: the key 0.
- *             Keys joined by + are pressed in this order, held for T, 50 ms if not said, and released
- *             the other way round. What a press makes is what a US keyboard makes with the modifiers
+ * K:          the names of inp_key_name() (keyboard.h), without regard to case; UNKNOWN, of down and up: the
+ *             key 0. Keys joined by + are pressed in this order, held for T, 50 ms if not said (a key
+ *             that is held long repeats), and released the other way round. What a press makes is what a US keyboard makes with the modifiers
  *             that the script holds at that time, or with `as` the character C between quotes, or
  *             `none`.
  * type:       the characters by a US keyboard's keys, one every 20 ms or within T in even steps. A key is
