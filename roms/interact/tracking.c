@@ -1,7 +1,7 @@
 /* tracking.c — what is done with hits, and at the end of each try and each refresh. */
 #include "roms/interact/tracking.h"
 
-#include <stddef.h>
+#include <stdlib.h>
 
 #include "roms/bsp/board.h"
 #include "roms/bsp/dpu.h"
@@ -16,10 +16,12 @@ enum drawing { DRAWING_CROSS, DRAWING_MARK, DRAWING_SEARCH };
 enum {
     ARM = 24, /* of a cross that is followed */
     ARM_MOST = 96,
-    TRIES = 5,       /* crosses a refresh, at most */
-    EDGE = 2,        /* so near a stroke's start the beam was in sight from the start */
+    TRIES = 7,      /* crosses a refresh, at most */
+    EDGE = 2,       /* so near a stroke's start the beam was in sight from the start */
+    ARM_LEAST = 16, /* an arm that the edge of the screen cuts shorter begins in sight of the pen */
     REACH_MOST = 24, /* a chord longer than twice that is none of a pen's */
-    CENTRED = 3,     /* so near the pen's middle chords are its diameters */
+    CENTRED = 5,     /* so near the pen's middle chords are its diameters */
+    SCANS = 3,
     MIDDLE = 512,
 };
 
@@ -69,8 +71,9 @@ static void learn(struct tracking *t, enum tracking_arm high, enum tracking_arm 
 
 static void sight(struct tracking *t, int arm, int at)
 {
-    int begun = at - t->start[arm];
-    t->now[arm] = (struct tracking_hit){true, begun > EDGE || begun < -EDGE, at};
+    int middle = (int)(arm % 2 == 0 ? t->cross.x : t->cross.y);
+    t->now[arm] = (struct tracking_hit){
+        true, abs(at - t->start[arm]) > EDGE && abs(middle - t->start[arm]) >= ARM_LEAST, at};
 }
 
 /* ---- drawing ------------------------------------------------------------------------------------ */
@@ -107,10 +110,9 @@ static void search(struct tracking *t)
 
 static void scan(struct tracking *t)
 {
-    t->scan = false;
     t->counts.scans++;
     t->drawing = DRAWING_SEARCH;
-    tracking_write_scan(t);
+    tracking_write_scan(t, --t->scans);
     dpu_start(tracking_search(t));
 }
 
@@ -199,7 +201,7 @@ static void seen_at(struct tracking *t, struct point2 at)
     t->at = at;
     t->misses = 0;
     t->state = TRACKING_FOLLOWING;
-    t->scan = false;
+    t->scans = 0;
     leave(t, ahead(t));
 }
 
@@ -245,7 +247,7 @@ static void stopped(void *ctx)
         missed(t);
     else if (t->drawing == DRAWING_CROSS)
         cross_ended(t);
-    else if (t->scan)
+    else if (t->scans > 0)
         scan(t);
     else
         missed(t);
@@ -305,7 +307,7 @@ void tracking_put(struct tracking *t, struct point2 at)
 
 void tracking_scan(struct tracking *t)
 {
-    t->scan = true;
+    t->scans = SCANS;
 }
 
 enum tracking_state tracking_state(const struct tracking *t)

@@ -89,7 +89,8 @@ struct tracking {
     int drawing;        /* enum drawing of tracking.c */
     int start[TRACKING_ARMS];
     int tries, misses;
-    bool searched, scan, wished;
+    int scans; /* still to be made */
+    bool searched, wished;
     struct point2 planned, wish; /* of the cross, when this refresh began; of the program */
     struct tracking_hit now[TRACKING_ARMS];
     struct tracking_sample sample[TRACKING_SAMPLES];
@@ -102,7 +103,7 @@ struct tracking {
 void tracking_begin(struct tracking *t, uint32_t low, uint32_t next);
 /* The cross is elsewhere from the next refresh on, and waits there for the pen. */
 void tracking_put(struct tracking *t, struct point2 at);
-/* One refresh scans the whole screen, unless the pen is followed. */
+/* The next refreshes, three at most, scan the whole screen, unless the pen is followed. */
 void tracking_scan(struct tracking *t);
 
 enum tracking_state tracking_state(const struct tracking *t);

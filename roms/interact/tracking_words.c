@@ -164,11 +164,11 @@ void tracking_write_spiral(struct tracking *t, struct point2 at, int phase, floa
     put(&w, STOP);
 }
 
-void tracking_write_scan(struct tracking *t)
+void tracking_write_scan(struct tracking *t, int phase)
 {
     struct writer w = writer_at(tracking_search(t));
     head(&w, false);
-    dark(&w, 0, HIGHEST - SCAN_PITCH / 2);
+    dark(&w, 0, HIGHEST - phase * SCAN_PITCH / 3);
     put(&w, LONG);
     for (int y = w.y; y >= 0; y -= SCAN_PITCH) {
         line(&w, HIGHEST - w.x, y, DF_BEAM_ON);

@@ -23,9 +23,10 @@ enum tracking_words {
 /* `half`: length of an arm. */
 void tracking_write_cross(struct tracking *t, enum tracking_words kind, struct point2 at,
                           float half);
-/* Turns from a few units to `radius` about a place; three phases lie between each other. */
+/* Turns from a few units to `radius` about a place; rows of the whole screen. Three phases lie between each
+ * other. */
 void tracking_write_spiral(struct tracking *t, struct point2 at, int phase, float radius);
-void tracking_write_scan(struct tracking *t);
+void tracking_write_scan(struct tracking *t, int phase);
 void tracking_write_exit(const struct tracking *t);
 
 uint32_t tracking_exit(const struct tracking *t);
