@@ -20,7 +20,7 @@ enum {
     EDGE = 2,       /* so near a stroke's start the beam was in sight from the start */
     ARM_LEAST = 16, /* an arm that the edge of the screen cuts shorter begins in sight of the pen */
     REACH_MOST = 24, /* a chord longer than twice that is none of a pen's */
-    CENTRED = 5,     /* so near the pen's middle chords are its diameters */
+    CENTRED = 3,     /* so near the pen's middle chords are its diameters */
     SCANS = 3,
     MIDDLE = 512,
 };
@@ -36,7 +36,7 @@ enum {
 /* ---- what a cross has shown ------------------------------------------------------------------ */
 
 /* How well one axis is known. */
-enum known { UNSEEN, VAGUE, KNOWN };
+enum known { UNSEEN, VAGUE, ONE_WAY, BOTH_WAYS };
 
 static bool is_chord(float half)
 {
@@ -57,7 +57,9 @@ static enum known axis(const struct tracking *t, enum tracking_arm high, enum tr
         *place = (float)b->at + t->reach;
     else if (a->seen || b->seen)
         *place = (float)(a->seen ? a->at : b->at);
-    return down || up ? KNOWN : a->seen || b->seen ? VAGUE : UNSEEN;
+    if (down && up)
+        return is_chord((float)(a->at - b->at) / 2) ? BOTH_WAYS : VAGUE;
+    return down || up ? ONE_WAY : a->seen || b->seen ? VAGUE : UNSEEN;
 }
 
 /* Chords near the pen's middle are its diameters. */
@@ -220,14 +222,15 @@ static void missed(struct tracking *t)
 
 /* ---- interrupts ---------------------------------------------------------------------------------- */
 
-/* Far from its middle a cross sees short chords, or one way only: it is drawn once more. */
+/* Two ways are exact wherever the cross is; one way is only in the middle, where chords are as learnt. */
 static void cross_ended(struct tracking *t)
 {
     struct point2 at = t->cross;
     enum known x = axis(t, TRACKING_RIGHT, TRACKING_LEFT, &at.x);
     enum known y = axis(t, TRACKING_TOP, TRACKING_BOTTOM, &at.y);
-    bool known = x == KNOWN && y == KNOWN, more = t->tries < TRIES;
-    if (known && (is_centred(t, at) || !more))
+    bool known = x >= ONE_WAY && y >= ONE_WAY, exact = x == BOTH_WAYS && y == BOTH_WAYS;
+    bool more = t->tries < TRIES;
+    if (exact || (known && (is_centred(t, at) || !more)))
         seen_at(t, at);
     else if ((x != UNSEEN || y != UNSEEN) && more)
         try_at(t, at);

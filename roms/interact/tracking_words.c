@@ -10,7 +10,8 @@ enum {
     RESTS = 4,
     STROKE_WORDS = 2 * RESTS + 6,
     HEAD_WORDS = 2,
-    CROSS_WORDS = HEAD_WORDS + TRACKING_ARMS * STROKE_WORDS + 8, /* with diamond and stop */
+    STROKES = TRACKING_ARMS + 1,
+    CROSS_WORDS = HEAD_WORDS + STROKES * STROKE_WORDS + 8, /* with diamond and stop */
     EXIT_WORDS = 4,
     SCAN_PITCH = 8, /* less than the smallest pen sees, 2 mm or 8.7 units */
     SPIRAL_LEAST = 5,
@@ -109,6 +110,9 @@ static void diamond(struct writer *w, int x, int y, bool seen)
     put(w, STOP);
 }
 
+/* The coupling of the pen has not recovered from one stroke when the next one comes: each is seen some
+ * tenths of a microsecond later than a first one would be. So that all are late alike, there is one before
+ * them that does not count. */
 void tracking_write_cross(struct tracking *t, enum tracking_words kind, struct point2 at,
                           float half)
 {
@@ -117,6 +121,7 @@ void tracking_write_cross(struct tracking *t, enum tracking_words kind, struct p
     int left = on_screen(at.x - half), right = on_screen(at.x + half);
     int bottom = on_screen(at.y - half), top = on_screen(at.y + half);
     head(&w, kind == TRACKING_MARK);
+    stroke(&w, x, bottom, x, top);
     stroke(&w, right, y, left, y);
     stroke(&w, x, top, x, bottom);
     stroke(&w, left, y, right, y);
@@ -203,9 +208,9 @@ int tracking_arm_before(const struct tracking *t, uint32_t pc)
 {
     uint32_t words = (pc - t->low) / 2 + 1;
     if (words <= HEAD_WORDS || (words - HEAD_WORDS) % STROKE_WORDS != 0 ||
-        words > HEAD_WORDS + TRACKING_ARMS * STROKE_WORDS)
+        words > HEAD_WORDS + STROKES * STROKE_WORDS)
         return -1;
-    return (int)((words - HEAD_WORDS) / STROKE_WORDS) - 1;
+    return (int)((words - HEAD_WORDS) / STROKE_WORDS) - 2;
 }
 
 struct point2 tracking_way_before(uint32_t pc)

@@ -42,11 +42,7 @@ static void tell_state(struct course *c, const struct tracking_sample *sample)
 {
     printf("track %s at ", track_state_name(sample->state));
     print_place(sample->at);
-    if (sample->state == TRACKING_LOST)
-        printf(", it was at %d mm/s", scalar_nearest(c->lost_speed));
     printf("\n");
-    if (sample->state == TRACKING_SEARCHING)
-        c->lost_speed = c->speed;
     c->state = sample->state;
     c->still = 0;
 }

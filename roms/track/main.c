@@ -59,7 +59,6 @@ static bool obey(struct program *p, int key)
         strokes_clear(&p->strokes);
         return true;
     case 'q':
-    case CONSOLE_EOF:
         return false;
     default:
         return true;

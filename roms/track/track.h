@@ -36,7 +36,6 @@ struct course {
     enum tracking_state state;
     bool pressed;
     float speed, greatest; /* mm/s; while followed */
-    float lost_speed;      /* when it was last seen before it was lost */
     int still;             /* refreshes that it has rested */
     struct point2 rest;
     bool rested; /* has been said */
