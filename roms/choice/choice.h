@@ -23,6 +23,7 @@
 
 #include "roms/interact/choose.h"
 #include "roms/interact/pointer.h"
+#include "roms/interact/pointer_tracking.h"
 #include "roms/stage/stage.h"
 
 enum { PAGE_ORBIT, PAGE_PROBE, PAGE_SIGNALS, PAGES };
@@ -113,6 +114,8 @@ void signals_draw(const struct sources *sources, const struct pointer *pointer,
 struct choice {
     struct stage stage;
     struct pointer pointer;
+    struct tracking tracking; /* the pen on the vector head */
+    bool tracks;
     struct choose tabs, side;
     int page, slider; /* that + and - move */
     bool pen_field;

@@ -13,11 +13,11 @@ choose() { # SCRIPT TIME
         tr -d '\r' >"$work/said"
 }
 
-choose roms/choice.script 10.5s
+choose roms/choice.script 12.5s
 printf '%s\n' 'Transfer by TABLET' 'Turned by TABLET' 'PROBE by TOUCH' 'Sun panels by TOUCH' 'Antenna by PEN' \
-    'Beacon by PEN' 'Attitude by MOUSE' 'Engine by KEYS' 'SIGNALS by KEYS' >"$work/expected"
+    'Beacon by PEN' 'Attitude by MOUSE' 'Camera by PEN' 'Engine by KEYS' 'SIGNALS by KEYS' >"$work/expected"
 sed -n 's/^choice: \(.* by [A-Z]*\):.*/\1/p' "$work/said" | cmp -s - "$work/expected"
-report $? "every device chooses what it points at"
+report $? "every device, the pens of both heads too, chooses what it points at"
 
 # Pressed on black at dot 102, line 280: nothing; with the blue field within three pixels.
 cat >"$work/black.script" <<'END'
