@@ -811,7 +811,7 @@ static void a_tap_that_no_light_answers_is_none(void **state)
 static bool is_blue(void)
 {
     for (int i = 0; i < VIDEO_LUT_ENTRIES; i++)
-        if (table[i] != 0x0000FF)
+        if (table[i] != table[0] || (table[i] & ~0xFFu) != 0 || table[i] < 0x80)
             return false;
     return true;
 }
