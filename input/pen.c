@@ -160,7 +160,7 @@ bool inp_pen_event(struct inp_pen *pen, uint64_t t)
     if (!pen->model.raster)
         return false;
     if (pen->sight.pulse == INP_NEVER)
-        pen_dark(pen, &pen->sight, t);
+        pen_dark(pen, &pen->sight, t + 1); /* t itself, too */
     bool arrived = pen->sight.pulse <= t;
     if (arrived)
         pen->sight.pulse = INP_NEVER;
