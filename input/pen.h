@@ -156,11 +156,11 @@ uint64_t inp_pen_offer(const struct inp_pen *pen, const struct crt_stroke *strok
 bool inp_pen_stroke(struct inp_pen *pen, const struct crt_stroke *stroke, uint64_t *when);
 void inp_pen_line(struct inp_pen *pen, const struct crt_scan_line *line);
 
-/* When a pulse next arrives without further light, or the pen wants to look for one again; INP_NEVER:
- * not without light. */
+/* When a pulse next arrives without further light, or the pen wants to look for one again (now, if that is
+ * past: it has just come to the glass); INP_NEVER: not without light. Of a pen on the vector head always
+ * INP_NEVER: the next stroke finds out. */
 uint64_t inp_pen_next(const struct inp_pen *pen);
-/* At that time. True: a pulse arrived at t, and is spent. Of a pen on the vector head it stands for
- * `hold` instead, to be seen by the next stroke, and this is false. */
+/* At that time. True: a pulse arrived at t, and is spent. Of a pen on the vector head always false. */
 bool inp_pen_event(struct inp_pen *pen, uint64_t t);
 
 void inp_pen_set_knobs(struct inp_pen *pen, struct crt_knobs knobs);

@@ -192,6 +192,31 @@ static void looking_again_changes_nothing(void **state)
     assert_true(pulses > 5);
 }
 
+/* A pulse on its way when the pen is taken away is not there a second later. */
+static void an_old_pulse_is_over(void **state)
+{
+    (void)state;
+    setup = slow_setup();
+    make("COLOR17", crt_phosphor_find("P22"), 7);
+    static uint8_t dots[1024];
+    memset(dots, 255, sizeof dots);
+    struct crt_scan_line line = {.t0 = MS,
+                                 .t1 = MS + 16 * US,
+                                 .x0 = -160,
+                                 .x1 = 160,
+                                 .dots = 1024,
+                                 .guns = 3,
+                                 .drive = {dots, dots, dots}};
+    for (int late = 0; late < 2; late++) {
+        inp_pen_reset(&pen, 0);
+        inp_pen_line(&pen, &line);
+        uint64_t pulse = inp_pen_next(&pen);
+        assert_true(pulse > line.t0 + 8 * US - 2 * US && pulse < line.t0 + 8 * US + 2 * US);
+        assert_true(inp_pen_event(&pen, pulse + (late ? 1000 * MS : US)) == !late);
+        assert_true(inp_pen_next(&pen) > pulse + US);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -201,6 +226,7 @@ int main(void)
         cmocka_unit_test(rooms_are_as_the_figures_promise),
         cmocka_unit_test(lamps_fire_it_in_step_with_the_mains),
         cmocka_unit_test(looking_again_changes_nothing),
+        cmocka_unit_test(an_old_pulse_is_over),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
