@@ -29,17 +29,18 @@
  *             inp_pen_event() takes it. Each line that passes the pen makes it fire where the signal fell
  *             below half in between: programs take the first of a field, or the mean.
  * As they are, the figures give (tests/figures/pen.c prints all of it): P31, P4 and P1 at the VR17's own beam
- *             speed fire at all levels, within 1 us of the pen's middle; P39 from level 4 on, up to 1 us late,
+ *             speed fire at all levels, within 1 us of the pen's middle; P39 from level 4 on, about 1 us late,
  *             and not at twice that speed unless bright (hard: it flashes 200 times less than P31); a dot of a
  *             character on P31 (the pulse meets the next one); colour tubes on white, every primary, dark
- *             blue, but not on black. No false firing below some 800 lx; 16 a second at 1000, thousands from 2000.
+ *             blue, but not on black. False firings: fewer than one a second below 700 lx,
+ *             15 at 1000, thousands from 2000.
  * Accuracy:   the signal in closed form between knots a quarter of the spot's sigma apart; firing times within
  *             10 ns of a slow model at speeds of 0.2 to 5 mm/us, crossings of the closed form to 1 ps.
  * Time:       picoseconds since power-on. Pieces come in order of t0; they may lie in the future.
  * Position:   tube millimetres from the middle of the screen; the aperture rests where the hand is when a piece
  *             begins.
  * Units:      signal: ucd, luminance in cd/m2 times mm2 of the aperture.
- * Cost:       a piece far away: a few comparisons while nothing glows; near: some 10 us a call.
+ * Cost:       a piece far away: a few comparisons while nothing glows; near: 10 to 60 us a call.
  * Ownership:  the caller owns the struct; setup, row and phosphor must outlive it. Allocates nothing.
  * Errors:     none; hostile snapshots are refused (inp_pen_state).
  * Determinism: noise is a function of seed and time (input/noise.h).
