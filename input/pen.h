@@ -35,7 +35,7 @@
  *             blue, but not on black. False firings: fewer than one a second below 700 lx,
  *             15 at 1000, thousands from 2000.
  * Accuracy:   the signal in closed form between knots a quarter of the spot's sigma apart; firing times within
- *             10 ns of a slow model at speeds of 0.2 to 5 mm/us, crossings of the closed form to 1 ps.
+ *             20 ns of a slow model at speeds of 0.2 to 5 mm/us, crossings of the closed form to some ps.
  * Time:       picoseconds since power-on. Pieces come in order of t0; they may lie in the future.
  * Position:   tube millimetres from the middle of the screen; the aperture rests where the hand is when a piece
  *             begins.

@@ -249,10 +249,13 @@ static void table_of_fields(void)
                 continue;
             }
             double mean = s.dots / s.fired;
-            printf("%8.1f %8.1f %8.2f %8.1f %9.1f%s\n", s.lines / s.fired, mean,
-                   sqrt(fmax(s.dots2 / s.fired - mean * mean, 0)),
-                   s.middles > 0 ? s.middle / s.middles : NAN, s.firings / s.count,
-                   s.fired < s.count ? " (not everywhere)" : "");
+            printf("%8.1f %8.1f %8.2f ", s.lines / s.fired, mean,
+                   sqrt(fmax(s.dots2 / s.fired - mean * mean, 0)));
+            if (s.middles > 0)
+                printf("%8.1f", s.middle / s.middles);
+            else
+                printf("%8s", "-");
+            printf(" %9.1f%s\n", s.firings / s.count, s.fired < s.count ? " (not everywhere)" : "");
         }
 }
 
