@@ -65,7 +65,7 @@
     X(aperture, "mm", 3, 2, 5, "diameter of what the pen sees",                                    \
       "estimate: 2 to 5 mm are quoted for pens of the time")                                       \
     X(threshold, "ucd", 25, 0.001, 1e6, "signal at which it fires",                                \
-      "estimate: half of what a full line of the VR17's P39 gives")                                \
+      "estimate: a third of what a full line of the VR17's P39 gives")                             \
     X(response, "us", 0.3, 0.01, 100, "time constant of the detector",                             \
       "estimate: pens of the time took 0.3 to 1 us altogether")                                    \
     X(delay, "us", 0.3, 0, 100, "from the threshold to the pulse at the interface",                \
