@@ -87,9 +87,8 @@ void picture_target(struct calibration *c, int number)
     canvas_clear(page, INK_BLACK);
     text(c, page, 0, INK_BRIGHT,
          number < TARGETS ? "LIGHT PEN: CALIBRATION" : "LIGHT PEN: CHECK OF THE CALIBRATION");
-    snprintf(
-        words, sizeof words, "Press the pen on the middle of box %s%d, hold it still, let go.",
-        number < TARGETS ? "" : "A to D: ", number < TARGETS ? number + 1 : number - TARGETS + 1);
+    snprintf(words, sizeof words, "Press the pen on the middle of box %c, hold it still, let go.",
+             name(number));
     text(c, page, 1, INK_TEXT, words);
     others(c, page, number);
     box(c, page, &c->place[number]);
