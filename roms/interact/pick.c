@@ -17,9 +17,10 @@ enum {
 };
 
 #define APERTURE 14.0f
-/* What the raster pen is late by: 440 ns; and how far above what it points at it fires first. As
- * calibration finds it on a monitor of 0.3 m with a pen of 3 mm. */
-#define LATE_HZ 2272727.0f
+/* What the raster pen is late by: 240 ns, as found with the pen of input/pen.h: its pulse comes later than
+ * that, but it sees the beam come before the beam is in its middle. Rows are not late: those of a field that
+ * the pen sees lie as far above its middle as below. */
+#define LATE_HZ 4166667.0f
 
 /* Sixtieths of a second. */
 static uint32_t now(void)

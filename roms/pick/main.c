@@ -158,8 +158,7 @@ static void show(struct program *p)
     stage_ink(stage, INK_GREEN);
     pick_button(&p->pick, FORGET, 120, BUTTON_Y, "Forget all");
     pick_button(&p->pick, END, 1130, BUTTON_Y, "End");
-    stage_caption(
-        stage, "Vector head: by the program counter; raster head: by place");
+    stage_caption(stage, "Vector head: by the program counter; raster head: by place");
     segments_draw(&p->segments);
     stage_end(stage);
 }

@@ -5,7 +5,7 @@
 
 #include "roms/geometry/scalar.h"
 
-enum { PARTS = 3, SIDE = 18, SIDES_LEAST = 6, SIDES_MOST = 24 };
+enum { PARTS = 3, SIDE = 18, SIDES_LEAST = 8, SIDES_MOST = 24 };
 
 struct maker {
     struct segments *s;
@@ -39,7 +39,8 @@ static void box(const struct maker *m, enum segment_kind kind, float x, float y,
 
 /* The pen's pulse comes some tenths of a microsecond after the light: sides shorter than the way of the beam
  * in that time are drawn to their end before it, and never picked. */
-static void oval(const struct maker *m, enum segment_kind kind, float x, float y, float rx, float ry)
+static void oval(const struct maker *m, enum segment_kind kind, float x, float y, float rx,
+                 float ry)
 {
     struct point2 p[SIDES_MOST];
     int sides = scalar_clamp_int((int)(TURN * rx / SIDE), SIDES_LEAST, SIDES_MOST);
