@@ -1,14 +1,14 @@
 /* pick.c — hits of a refresh or field become an opinion, opinions become events. */
 #include "roms/interact/pick.h"
 
-#include <math.h>
+#include <stddef.h>
 
 #include "roms/bsp/board.h"
 #include "roms/bsp/dpu.h"
 #include "roms/bsp/interrupts.h"
-#include "roms/bsp/timer.h"
 #include "roms/bsp/video.h"
-#include "roms/geometry/scalar.h"
+#include "roms/interact/pen_rows.h"
+#include "roms/interact/pointer.h"
 
 enum {
     BUTTON_WORDS = 64, /* more than a button has */
@@ -17,11 +17,6 @@ enum {
 };
 
 #define APERTURE 14.0f
-/* What the raster pen is late by: 240 ns, as found with the pen of input/pen.h: its pulse comes later than
- * that, but it sees the beam come before the beam is in its middle. Rows are not late: those of a field that
- * the pen sees lie as far above its middle as below. */
-#define LATE_HZ 4166667.0f
-
 /* Sixtieths of a second. */
 static uint32_t now(void)
 {
@@ -70,19 +65,13 @@ static void look_at_tip(struct pick_opinion *o, enum input_head head)
     o->down = down;
 }
 
-static struct point2 place(const struct pick *pick, const struct pen_hit *hit)
-{
-    const struct stage *s = pick->segments->stage;
-    float x = (float)hit->dot - pick->pen_dots, y = (float)hit->line - pick->pen_lines;
-    return (struct point2){(x - s->left) / s->dots, (s->bottom - 1 - y) / s->dots};
-}
-
 static void on_raster_pen(void *ctx)
 {
     struct pick *pick = ctx;
     struct pen_hit hit;
     while (pen_hit_take(&hit))
-        put(&pick->head[INPUT_RASTER], (struct pick_hit){0, place(pick, &hit), hit.field, now()});
+        put(&pick->head[INPUT_RASTER],
+            (struct pick_hit){0, {(float)hit.dot, (float)hit.line}, hit.field, now()});
     look_at_tip(&pick->head[INPUT_RASTER], INPUT_RASTER);
 }
 
@@ -127,19 +116,41 @@ static int button_at(const struct pick *pick, struct point2 at)
     return 0;
 }
 
+/* Where the raster pen is that fired there. */
+static bool raster_place(const struct pick *pick, struct point2 *at)
+{
+    const struct pick_opinion *o = &pick->head[INPUT_RASTER];
+    const struct stage *s = pick->segments->stage;
+    struct pen_rows rows = {0};
+    float line, dot;
+    for (int i = 0; i < o->grouped; i++) {
+        const struct pick_hit *hit = &o->group[i];
+        struct pen_hit fired = {(uint32_t)hit->at.y, (uint32_t)hit->at.x, hit->group, false};
+        pen_rows_add(&rows, &fired);
+    }
+    if (!pen_rows_middle(&rows, &line, &dot, NULL))
+        return false;
+    *at = (struct point2){(dot - pick->pen_dots - s->left) / s->dots,
+                          (s->bottom - 1 - line + pick->pen_lines) / s->dots};
+    return true;
+}
+
 static void look(struct pick *pick, enum input_head head, int *name, int *part, struct point2 *at)
 {
     struct pick_opinion *o = &pick->head[head];
     const struct segment *g = NULL;
     *part = 0;
-    *name = winner(o);
-    *at = mean(o, *name);
+    *name = 0;
     if (head == INPUT_VECTOR) {
+        *name = winner(o);
+        *at = mean(o, *name);
         g = segment_find(pick->segments, *name);
         if (g)
             *part = pick_part_at(pick->segments, g, *at);
         return;
     }
+    if (!raster_place(pick, at))
+        return;
     *name = button_at(pick, *at);
     if (*name == 0)
         g = segment_at(pick->segments, *at, pick->aperture, part);
@@ -206,10 +217,18 @@ static void take_hits(struct pick *pick, enum input_head head)
 
 /* ---- for the program ----------------------------------------------------------------------------------- */
 
+/* The pulse is late, but the beam is seen before it is in the middle of what the pen sees. */
+static float late_dots(const struct stage *stage)
+{
+    float width = (float)video_width_um(), dots = (float)stage->page[0].width;
+    float sees = width > 0 ? POINTER_PEN_SEES_UM / 2.0f * dots / width : 0;
+    return (float)video_timing().clock_hz * (POINTER_PEN_LATE_NS * 1e-9f) - sees;
+}
+
 void pick_begin(struct pick *pick, struct segments *segments)
 {
     *pick = (struct pick){.segments = segments, .aperture = APERTURE};
-    pick->pen_dots = (float)video_timing().clock_hz / LATE_HZ;
+    pick->pen_dots = late_dots(segments->stage);
     dpu_on_pen(pick_hit, pick);
     input_on(INPUT_BIT_PEN_RASTER, on_raster_pen, pick);
     pen_raster_on(false);

@@ -11,7 +11,8 @@
  *             unused bits. RT-11 used a stop word with an interrupt for it, DNAME, see roms/rt11/handler.h,
  *             which costs an interrupt a name a refresh; a no-operation costs 1.5 us). Light buttons have
  *             such words, segments are looked up.
- *             On the raster head pixels have no names: the place is correlated with the segments' primitives.
+ *             On the raster head pixels have no names: the place (pen_rows.h), less what the pen is late by
+ *             (pointer.h), is correlated with the segments' primitives.
  * Opinion:    hits of one refresh (vector) or field (raster) are taken together: the name with most hits
  *             has it. It is believed when two in a row agree, and forgotten PICK_HOLD sixtieths of a second after
  *             the last one, so that what blinks stays pointed at while it is dark. The nearest primitive's pick
@@ -52,7 +53,7 @@ struct pick_event {
 
 struct pick_hit {
     int name;
-    struct point2 at;
+    struct point2 at;     /* stage units; raster: dot, line */
     uint32_t group, time; /* refresh or field; sixtieths of a second */
 };
 

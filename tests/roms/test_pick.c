@@ -17,6 +17,7 @@
 #define distance_to_text pick_distance_to_text
 #define mean             pick_mean
 #define look             pick_look
+#include "roms/interact/pen_rows.c"
 #include "roms/interact/pick.c"
 #include "roms/interact/pick_find.c"
 
@@ -79,6 +80,11 @@ void irq_unlock(uint32_t state)
 struct video_timing video_timing(void)
 {
     return (struct video_timing){.clock_hz = 25000000};
+}
+
+uint32_t video_width_um(void)
+{
+    return 320000;
 }
 
 bool pen_hit_take(struct pen_hit *hit)
@@ -175,7 +181,7 @@ static void fire(uint32_t field, float x, float y, int rows)
     for (int i = 0; i < rows; i++)
         board.hits[board.count++] = (struct pen_hit){
             (uint32_t)lroundf(stage_canvas_y(&stage, y)) + (uint32_t)(i - rows / 2),
-            (uint32_t)lroundf(stage_canvas_x(&stage, x) + 6), field, false};
+            (uint32_t)lroundf(stage_canvas_x(&stage, x) + 5), field, false};
     raster_pen(&pick);
 }
 
