@@ -29,7 +29,7 @@ report $? "the tip switch is told"
 awk 'BEGIN { n = 0 }
      /rests/ { sub(",", "", $5); x[n] = $4; y[n] = $5; lx[n] = $8; ly[n] = $9; n++ }
      END {
-         split("516 812 720 723 180 420", px); split("510 512 420 423 640 640", py)
+         split("516 772 720 723 180 420", px); split("510 512 420 423 640 640", py)
          for (i = 0; i < n; i++) {
              near = 0
              for (k = 1; k <= 6; k++)
