@@ -251,11 +251,9 @@ static int run(int argc, char **argv)
         vm_roms_program(&c.o.roms, args.count ? args.item[0] : NULL, monitor, sizeof monitor, &err);
     if (!path)
         return fail(VM_EXIT_TROUBLE, &err);
-    if (!vm_input_check(&c.o.input, &err) || !check_options(&c, &err) ||
-        !vm_out_spares(c.o.out, path, &err) || !vm_out_spares(c.o.y4m, path, &err))
+    if (!vm_input_check(&c.o.input, &err) || !check_options(&c, &err))
         return fail(VM_EXIT_USAGE, &err);
-    status =
-        vm_saved_check(&c.o.saved, path, c.o.input.firmware, c.o.out ? c.o.out : c.o.y4m, &err);
+    status = vm_saved_check(&c.o.saved, path, &c.o.input, c.o.out ? c.o.out : c.o.y4m, &err);
     if (status)
         return fail(status, &err);
     if (!vm_input_load(&c.input, path, &c.o.input, &err, &report)) {

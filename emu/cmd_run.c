@@ -201,9 +201,6 @@ static int run(int argc, char **argv)
                  args.count ? "FILE" : "--headless");
         return fail(VM_EXIT_USAGE, &err);
     }
-    if (o.record && (!vm_out_check(o.record, &err) ||
-                     (o.input.script && !vm_out_spares(o.record, o.input.script, &err))))
-        return fail(VM_EXIT_TROUBLE, &err);
     if (!vm_input_check(&o.input, &err))
         return fail(VM_EXIT_USAGE, &err);
     char monitor[4096 + 16];
@@ -214,7 +211,9 @@ static int run(int argc, char **argv)
         if (!path)
             return fail(VM_EXIT_TROUBLE, &err);
     }
-    status = vm_saved_check(&o.saved, path, o.input.firmware, NULL, &err);
+    status = vm_saved_check(&o.saved, path, &o.input, o.record, &err);
+    if (!status && o.record && !vm_out_check(o.record, &err))
+        status = VM_EXIT_TROUBLE;
     if (status)
         return fail(status, &err);
     return o.headless ? run_headless(&o, path) : run_window(&o, path);

@@ -265,9 +265,9 @@ static int run(int argc, char **argv)
                                   argv, &args, 1, 1);
     if (status >= 0)
         return status;
-    if (!vm_input_check(&t.o.input, &err) || !vm_out_spares(t.o.out, args.item[0], &err))
+    if (!vm_input_check(&t.o.input, &err))
         return fail(VM_EXIT_USAGE, &err);
-    status = vm_saved_check(&t.o.saved, args.item[0], t.o.input.firmware, t.o.out, &err);
+    status = vm_saved_check(&t.o.saved, args.item[0], &t.o.input, t.o.out, &err);
     if (status)
         return fail(status, &err);
     if (!vm_input_load(&t.input, args.item[0], &t.o.input, &err, &report)) {

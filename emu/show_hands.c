@@ -32,7 +32,6 @@ static void do_act(struct vm_show *show, struct inp_act act)
         vm_show_say(show, "not enough memory for what you do");
         return;
     }
-    rig->machine->done = vm_operator_before(rig->person, rig->machine->now);
     show->event_since = show->event_since > 0 ? show->event_since : show->event_time;
 }
 
