@@ -6,6 +6,7 @@
 #include "emu/capture_parts.h"
 #include "emu/command.h"
 #include "emu/out_file.h"
+#include "emu/script_suits.h"
 #include "emu/view.h"
 
 #define ROW(field) offsetof(struct vm_capture_options, field)
@@ -206,7 +207,8 @@ static int capture(struct vm_capture *c)
     struct vm_lights lights;
     if (c->o.buffer) /* before it is known whether the program switches it on */
         c->settings.view = VM_VIEW_RASTER;
-    if (status == VM_EXIT_OK && !vm_view_suits(&c->settings, &c->input, &err))
+    if (status == VM_EXIT_OK && !(vm_view_suits(&c->settings, &c->input, &err) &&
+                                  vm_script_suits(&c->settings, &c->input, &err)))
         status = VM_EXIT_USAGE;
     if (status == VM_EXIT_OK)
         status = vm_light_settings(&c->o.light, &c->settings, &lights, &err);

@@ -6,6 +6,7 @@
 #include "emu/headless.h"
 #include "emu/out_file.h"
 #include "emu/roms.h"
+#include "emu/script_suits.h"
 #include "emu/show.h"
 #include "emu/view.h"
 
@@ -121,7 +122,8 @@ static int run_headless(const struct options *o, const char *path)
     }
     int status = vm_settings_resolve(&o->settings, input.is_recording ? &input.header : NULL,
                                      vm_input_tube(&input), &settings, &err);
-    if (!status && !vm_view_suits(&settings, &input, &err))
+    if (!status &&
+        !(vm_view_suits(&settings, &input, &err) && vm_script_suits(&settings, &input, &err)))
         status = VM_EXIT_USAGE;
     if (!status)
         status = debuggable_headless(o, path, &settings, &input, &err);
