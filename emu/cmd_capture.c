@@ -6,6 +6,7 @@
 #include "emu/capture_parts.h"
 #include "emu/command.h"
 #include "emu/out_file.h"
+#include "emu/script_suits.h"
 #include "emu/view.h"
 
 #define ROW(field) offsetof(struct vm_capture_options, field)
@@ -206,7 +207,8 @@ static int capture(struct vm_capture *c)
     struct vm_lights lights;
     if (c->o.buffer) /* before it is known whether the program switches it on */
         c->settings.view = VM_VIEW_RASTER;
-    if (status == VM_EXIT_OK && !vm_view_suits(&c->settings, &c->input, &err))
+    if (status == VM_EXIT_OK && !(vm_view_suits(&c->settings, &c->input, &err) &&
+                                  vm_script_suits(&c->settings, &c->input, &err)))
         status = VM_EXIT_USAGE;
     if (status == VM_EXIT_OK)
         status = vm_light_settings(&c->o.light, &c->settings, &lights, &err);
@@ -251,11 +253,9 @@ static int run(int argc, char **argv)
         vm_roms_program(&c.o.roms, args.count ? args.item[0] : NULL, monitor, sizeof monitor, &err);
     if (!path)
         return fail(VM_EXIT_TROUBLE, &err);
-    if (!vm_input_check(&c.o.input, &err) || !check_options(&c, &err) ||
-        !vm_out_spares(c.o.out, path, &err) || !vm_out_spares(c.o.y4m, path, &err))
+    if (!vm_input_check(&c.o.input, &err) || !check_options(&c, &err))
         return fail(VM_EXIT_USAGE, &err);
-    status =
-        vm_saved_check(&c.o.saved, path, c.o.input.firmware, c.o.out ? c.o.out : c.o.y4m, &err);
+    status = vm_saved_check(&c.o.saved, path, &c.o.input, c.o.out ? c.o.out : c.o.y4m, &err);
     if (status)
         return fail(status, &err);
     if (!vm_input_load(&c.input, path, &c.o.input, &err, &report)) {

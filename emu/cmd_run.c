@@ -6,6 +6,7 @@
 #include "emu/headless.h"
 #include "emu/out_file.h"
 #include "emu/roms.h"
+#include "emu/script_suits.h"
 #include "emu/show.h"
 #include "emu/view.h"
 
@@ -121,7 +122,8 @@ static int run_headless(const struct options *o, const char *path)
     }
     int status = vm_settings_resolve(&o->settings, input.is_recording ? &input.header : NULL,
                                      vm_input_tube(&input), &settings, &err);
-    if (!status && !vm_view_suits(&settings, &input, &err))
+    if (!status &&
+        !(vm_view_suits(&settings, &input, &err) && vm_script_suits(&settings, &input, &err)))
         status = VM_EXIT_USAGE;
     if (!status)
         status = debuggable_headless(o, path, &settings, &input, &err);
@@ -201,9 +203,6 @@ static int run(int argc, char **argv)
                  args.count ? "FILE" : "--headless");
         return fail(VM_EXIT_USAGE, &err);
     }
-    if (o.record && (!vm_out_check(o.record, &err) ||
-                     (o.input.script && !vm_out_spares(o.record, o.input.script, &err))))
-        return fail(VM_EXIT_TROUBLE, &err);
     if (!vm_input_check(&o.input, &err))
         return fail(VM_EXIT_USAGE, &err);
     char monitor[4096 + 16];
@@ -214,7 +213,9 @@ static int run(int argc, char **argv)
         if (!path)
             return fail(VM_EXIT_TROUBLE, &err);
     }
-    status = vm_saved_check(&o.saved, path, o.input.firmware, NULL, &err);
+    status = vm_saved_check(&o.saved, path, &o.input, o.record, &err);
+    if (!status && o.record && !vm_out_check(o.record, &err))
+        status = VM_EXIT_TROUBLE;
     if (status)
         return fail(status, &err);
     return o.headless ? run_headless(&o, path) : run_window(&o, path);

@@ -9,6 +9,7 @@
 #include "emu/out_file.h"
 #include "emu/progress.h"
 #include "emu/saved.h"
+#include "emu/script_suits.h"
 #include "emu/summary.h"
 #include "emu/trace_lines.h"
 #include "emu/trouble.h"
@@ -235,7 +236,8 @@ static int trace(struct trace *t)
     int status =
         vm_settings_resolve(&t->o.settings, t->input.is_recording ? &t->input.header : NULL,
                             vm_input_tube(&t->input), &t->settings, &err);
-    if (!status && !vm_view_suits(&t->settings, &t->input, &err))
+    if (!status && !(vm_view_suits(&t->settings, &t->input, &err) &&
+                     vm_script_suits(&t->settings, &t->input, &err)))
         status = VM_EXIT_USAGE;
     if (!status && !vm_out_open(&t->file, t->o.out ? t->o.out : "-", &err))
         status = VM_EXIT_TROUBLE;
@@ -265,9 +267,9 @@ static int run(int argc, char **argv)
                                   argv, &args, 1, 1);
     if (status >= 0)
         return status;
-    if (!vm_input_check(&t.o.input, &err) || !vm_out_spares(t.o.out, args.item[0], &err))
+    if (!vm_input_check(&t.o.input, &err))
         return fail(VM_EXIT_USAGE, &err);
-    status = vm_saved_check(&t.o.saved, args.item[0], t.o.input.firmware, t.o.out, &err);
+    status = vm_saved_check(&t.o.saved, args.item[0], &t.o.input, t.o.out, &err);
     if (status)
         return fail(status, &err);
     if (!vm_input_load(&t.input, args.item[0], &t.o.input, &err, &report)) {

@@ -9,6 +9,7 @@
 
 #include "display_file/asm.h"
 #include "display_file/loaders.h"
+#include "emu/out_file.h"
 
 #define MAX_FILE   (UINT64_C(64) << 20)
 #define MAX_SCRIPT (UINT64_C(512) << 20)
@@ -318,6 +319,13 @@ static bool load_script(struct vm_input *in, const char *path, struct crt_error 
     bool ok = text && inp_script_parse(&in->script, path, text, length, err);
     free(text);
     return ok;
+}
+
+bool vm_input_spared(const struct vm_input_options *o, const char *program, const char *out,
+                     struct crt_error *err)
+{
+    return vm_out_spares(out, program, err) && vm_out_spares(out, o->firmware, err) &&
+           vm_out_spares(out, o->script, err);
 }
 
 bool vm_input_load(struct vm_input *in, const char *path, const struct vm_input_options *options,

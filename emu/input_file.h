@@ -50,6 +50,10 @@ struct vm_input {
 
 /* Whether the options are such as can be used: escapes of --type. */
 bool vm_input_check(const struct vm_input_options *options, struct crt_error *err);
+/* Whether writing `out` would leave alone what is read: the program (NULL: not known), --firmware and
+ * --input. */
+bool vm_input_spared(const struct vm_input_options *options, const char *program, const char *out,
+                     struct crt_error *err);
 /* Options must have been checked. */
 bool vm_input_load(struct vm_input *input, const char *path, const struct vm_input_options *options,
                    struct crt_error *err, char **report);

@@ -85,7 +85,7 @@ struct vm_machine_desc {
     const struct crt_tube_row *raster_row;
     struct ras_timing raster_timing; /* at power-on */
     struct crt_tube *raster_tube;    /* NULL: nobody observes */
-    /* Input devices; NULL: there are none. Knobs are those of the monitors at power-on. */
+    /* Input devices; NULL: there are none. Knobs are those of the monitors, as turned since. */
     const struct inp_setup *setup;
     const struct crt_phosphor *phosphor, *raster_phosphor;
     struct crt_knobs knobs, raster_knobs;
@@ -165,6 +165,9 @@ bool vm_machine_run_end(struct vm_machine *m, uint64_t limit); /* the firmware e
 bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t limit);
 /* m->dpu.words is `words`; what else happens when the last one is fetched has happened, too. */
 bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit);
+
+/* The knobs of a head's monitor, from now on: its tube's, and of what a pen at it sees. */
+void vm_machine_turn(struct vm_machine *m, enum inp_screen screen, struct crt_knobs knobs);
 
 /* A copy that goes on alone, without tubes and console: for looking ahead. `copy` need not be
  * initialised; vm_machine_forget frees its board and refresh buffer. False: out of memory. */

@@ -1,9 +1,11 @@
 /* machine_devices.c — input devices: what the person does to them, their wires, and their registers on
  * the processor's bus. */
-#include "emu/machine_parts.h"
 #include <math.h>
 
+#include "emu/machine_parts.h"
 #include "emu/memmap.h"
+
+#define MOST_KNOB 1e6 /* a tube's limit */
 
 /* ---- wires --------------------------------------------------------------------------------------
  */
@@ -95,18 +97,25 @@ static bool is_placed(const struct inp_act *act)
 
 static void turn(struct vm_machine *m, const struct inp_act *act)
 {
-    struct crt_tube *tube = act->screen == INP_RASTER ? m->desc.raster_tube : m->desc.tube;
-    struct crt_knobs *knobs = act->screen == INP_RASTER ? &m->desc.raster_knobs : &m->desc.knobs;
+    struct crt_knobs knobs = act->screen == INP_RASTER ? m->desc.raster_knobs : m->desc.knobs;
     double value = act->x / 1000.0;
     if (act->code == INP_BRIGHTNESS)
-        knobs->brightness = value;
+        knobs.brightness = value;
     else if (act->code == INP_CONTRAST)
-        knobs->contrast = value;
+        knobs.contrast = value;
     else
-        knobs->focus = value;
+        knobs.focus = value;
+    vm_machine_turn(m, (enum inp_screen)act->screen, knobs);
+}
+
+void vm_machine_turn(struct vm_machine *m, enum inp_screen screen, struct crt_knobs knobs)
+{
+    struct crt_tube *tube = screen == INP_RASTER ? m->desc.raster_tube : m->desc.tube;
+    *(screen == INP_RASTER ? &m->desc.raster_knobs : &m->desc.knobs) = knobs;
     if (tube)
-        crt_tube_set_knobs(tube, *knobs);
-    inp_unit_set_knobs(&m->devices, (enum inp_screen)act->screen, *knobs);
+        crt_tube_set_knobs(tube, knobs);
+    if (m->desc.setup)
+        inp_unit_set_knobs(&m->devices, screen, knobs);
 }
 
 static void act(struct vm_machine *m, const struct inp_act *given)
@@ -150,9 +159,25 @@ void vm_devices_event(struct vm_machine *m, uint64_t t)
         m->hooks.input(m->hooks.ctx, t, &m->devices);
 }
 
+static void knobs_state(struct crt_knobs *knobs, struct crt_state *s)
+{
+    crt_state_f64(s, &knobs->brightness);
+    crt_state_f64(s, &knobs->contrast);
+    crt_state_f64(s, &knobs->focus);
+    crt_state_check(s,
+                    fabs(knobs->brightness) <= MOST_KNOB && fabs(knobs->contrast) <= MOST_KNOB &&
+                        fabs(knobs->focus) <= MOST_KNOB,
+                    "knob");
+}
+
+/* Tubes and pens have their knobs themselves; the next act turns one of these. */
 void vm_devices_state(struct vm_machine *m, struct crt_state *s)
 {
     inp_unit_state(&m->devices, s);
+    crt_state_begin(s, "KNOB", 1);
+    knobs_state(&m->desc.knobs, s);
+    knobs_state(&m->desc.raster_knobs, s);
+    crt_state_end(s);
     if (!s->loading || s->failed)
         return;
     look(m);

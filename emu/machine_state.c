@@ -3,7 +3,7 @@
 #include "emu/machine_parts.h"
 #include "emu/memmap.h"
 
-#define VERSION 2
+#define VERSION 3
 
 static void refresh_state(struct vm_refresh *r, struct crt_state *s)
 {
@@ -56,6 +56,26 @@ static void counts_state(struct vm_machine *m, struct crt_state *s)
         crt_state_u64(s, &m->interrupt[line].last_t);
         crt_state_u64(s, &m->interrupt[line].change);
     }
+}
+
+/* Acts are not part of the machine, but how many of those at this very time have been done is: a
+ * debugger may stop it right after them. */
+static void acts_state(struct vm_machine *m, struct crt_state *s)
+{
+    struct vm_done before = {0, 0}, here;
+    if (m->desc.person)
+        before = vm_operator_before(m->desc.person, m->now);
+    uint64_t script = s->loading ? 0 : m->done.script - before.script;
+    uint64_t live = s->loading ? 0 : m->done.live - before.live;
+    crt_state_u64(s, &script);
+    crt_state_u64(s, &live);
+    if (!s->loading || s->failed || !m->desc.person)
+        return;
+    here = vm_operator_before(m->desc.person, m->now + 1);
+    here.script -= before.script;
+    here.live -= before.live;
+    m->done.script = before.script + (script < here.script ? (size_t)script : here.script);
+    m->done.live = before.live + (live < here.live ? (size_t)live : here.live);
 }
 
 static void raster_state(struct vm_machine *m, struct crt_state *s)
@@ -204,6 +224,7 @@ void vm_machine_state(struct vm_machine *m, struct crt_state *s)
     program_state(m, s);
     refreshes_state(&m->refreshes, s);
     counts_state(m, s);
+    acts_state(m, s);
     crt_state_word_pages(s, m->memory, sizeof m->memory / sizeof m->memory[0]);
     raster_state(m, s);
     check(m, s);
@@ -211,8 +232,6 @@ void vm_machine_state(struct vm_machine *m, struct crt_state *s)
     if (!s->loading || s->failed)
         return;
     m->tick_time = crt_tick_time(m->desc.tick, m->ticks);
-    if (m->desc.person)
-        m->done = vm_operator_before(m->desc.person, m->now);
     m->advanced = m->desc.tube ? m->now : 0;
     m->raster_advanced = m->desc.raster_tube ? m->now : 0;
     for (int line = 0; line < DF_INT_COUNT; line++)

@@ -5,8 +5,9 @@
  *
  * Models:     two lists of acts (input/act.h), merged; at equal times the script's come first.
  * Time:       picoseconds since power-on.
- * State:      none of its own: what has been done at a time is what comes before it. A machine taken back
- *             in time is acted upon the same again; a new live act makes those forgotten that came later.
+ * State:      none of its own: what has been done by a time is what comes before it, and some or all
+ *             of what comes at it. A machine taken back in time is acted upon the same again; a new live
+ *             act makes those forgotten that came later.
  * Ownership:  vm_operator_free releases both lists.
  * Errors:     out of memory: false, and nothing has changed.
  */

@@ -15,20 +15,20 @@ const struct vm_option vm_saved_rows[VM_SAVED_ROWS] = {
      "go on from the machine in FILE, made with the same program and tube", 0, 0},
 };
 
-static bool spares(const struct vm_saved_options *o, const char *program, const char *firmware,
-                   const char *out, struct crt_error *err)
+static bool spares(const struct vm_saved_options *o, const char *program,
+                   const struct vm_input_options *input, const char *out, struct crt_error *err)
 {
-    if (!vm_out_spares(o->save, program, err) || !vm_out_spares(o->save, firmware, err) ||
-        !vm_out_spares(out, o->load, err))
+    if (!vm_input_spared(input, program, o->save, err) ||
+        !vm_input_spared(input, program, out, err) || !vm_out_spares(out, o->load, err))
         return false;
     return !o->save || !out || strcmp(o->save, out) != 0 ||
            crt_fail(err, "--save-state: %.200s is where the output goes; give another name", out);
 }
 
-int vm_saved_check(const struct vm_saved_options *o, const char *program, const char *firmware,
-                   const char *out, struct crt_error *err)
+int vm_saved_check(const struct vm_saved_options *o, const char *program,
+                   const struct vm_input_options *input, const char *out, struct crt_error *err)
 {
-    if (!spares(o, program, firmware, out, err))
+    if (!spares(o, program, input, out, err))
         return VM_EXIT_USAGE;
     return !o->save || vm_out_check(o->save, err) ? VM_EXIT_OK : VM_EXIT_TROUBLE;
 }
@@ -43,8 +43,8 @@ bool vm_saved_load(const struct vm_saved_options *o, struct vm_rig *rig,
         return false;
     /* Knobs are part of the snapshot; those of --set are turned now. */
     for (int h = 0; h < VM_HEADS; h++)
-        if (rig->tube[h] && settings->monitor[h].turned)
-            crt_tube_set_knobs(rig->tube[h], settings->monitor[h].knobs);
+        if (settings->monitor[h].turned)
+            vm_machine_turn(rig->machine, (enum inp_screen)h, settings->monitor[h].knobs);
     return true;
 }
 

@@ -20,11 +20,11 @@ struct vm_saved_options {
 #define VM_SAVED_ROWS 2
 extern const struct vm_option vm_saved_rows[VM_SAVED_ROWS];
 
-/* Before anything runs: what is written may not be what is read, --save-state may not be where the
- * command's own output goes, and can be written at all. `firmware` is of --firmware; that and the
- * names of outputs may be NULL. An exit status; not 0: with a sentence. */
+/* Before anything runs: what is written, `out` too, may not be what is read, --save-state may not be
+ * where the command's own output goes, and can be written at all. The program's name and that of the
+ * output may be NULL. An exit status; not 0: with a sentence. */
 int vm_saved_check(const struct vm_saved_options *options, const char *program,
-                   const char *firmware, const char *out, struct crt_error *err);
+                   const struct vm_input_options *input, const char *out, struct crt_error *err);
 
 /* Both are true at once when they are not asked for. */
 bool vm_saved_load(const struct vm_saved_options *options, struct vm_rig *rig,

@@ -146,6 +146,13 @@ void vm_show_hand_flush(struct vm_show *show);
 /* F9; and for a program that has just been opened. */
 void vm_show_next_hand(struct vm_show *show);
 void vm_show_first_hand(struct vm_show *show);
+/* The act, now; nothing when its device is not connected. */
+void vm_show_do(struct vm_show *show, struct inp_act act);
+/* show_typing.c: a key, the character it makes; none will come any more; all keys let go. */
+void vm_show_key_event(struct vm_show *show, const struct vm_event *event);
+void vm_show_text_event(struct vm_show *show, uint32_t character);
+void vm_show_key_settle(struct vm_show *show);
+void vm_show_release_keys(struct vm_show *show);
 /* What the light pen sees: a circle in window pixels; false: there is none. */
 bool vm_show_ring(const struct vm_show *show, double *x, double *y, double *radius);
 /* The knobs are turned: an act of the person's, too. */

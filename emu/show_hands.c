@@ -22,7 +22,7 @@ static uint64_t stamp(const struct vm_machine *m)
     return (m->now + CRT_PS_PER_US - 1) / CRT_PS_PER_US * CRT_PS_PER_US;
 }
 
-static void do_act(struct vm_show *show, struct inp_act act)
+void vm_show_do(struct vm_show *show, struct inp_act act)
 {
     struct vm_rig *rig = &show->program->rig;
     act.t = stamp(rig->machine);
@@ -32,7 +32,6 @@ static void do_act(struct vm_show *show, struct inp_act act)
         vm_show_say(show, "not enough memory for what you do");
         return;
     }
-    rig->machine->done = vm_operator_before(rig->person, rig->machine->now);
     show->event_since = show->event_since > 0 ? show->event_since : show->event_time;
 }
 
@@ -95,7 +94,7 @@ static void move_pen(struct vm_show *show, const struct spot *spot)
         return;
     show->pen_head = (enum vm_head)act.screen;
     show->hand_there = spot->on;
-    do_act(show, act);
+    vm_show_do(show, act);
 }
 
 /* The screen's addressable area lies in the middle of the tablet, as large as fits. */
@@ -115,7 +114,7 @@ static void move_stylus(struct vm_show *show, const struct spot *spot)
     if (!spot->on && !show->hand_there)
         return;
     show->hand_there = spot->on;
-    do_act(show, act);
+    vm_show_do(show, act);
 }
 
 /* A finger is on the panel while the button is held. */
@@ -126,12 +125,12 @@ static void move_finger(struct vm_show *show, const struct spot *spot)
     if (!touches && !show->hand_there)
         return;
     show->hand_there = touches;
-    do_act(show, (struct inp_act){.device = INP_TOUCH,
-                                  .verb = touches ? INP_MOVE : INP_AWAY,
-                                  .screen = (uint8_t)head,
-                                  .space = INP_MM,
-                                  .x = um(spot->x_mm),
-                                  .y = um(spot->y_mm)});
+    vm_show_do(show, (struct inp_act){.device = INP_TOUCH,
+                                      .verb = touches ? INP_MOVE : INP_AWAY,
+                                      .screen = (uint8_t)head,
+                                      .space = INP_MM,
+                                      .x = um(spot->x_mm),
+                                      .y = um(spot->y_mm)});
 }
 
 static void move_mouse(struct vm_show *show, double x, double y)
@@ -139,10 +138,10 @@ static void move_mouse(struct vm_show *show, double x, double y)
     double dx = x - show->mouse_x, dy = show->mouse_y - y;
     if (!show->mouse_known || (dx == 0 && dy == 0))
         return;
-    do_act(show, (struct inp_act){.device = INP_MOUSE,
-                                  .verb = INP_MOVE,
-                                  .x = um(dx * MOUSE_UM_PER_PIXEL / 1000),
-                                  .y = um(dy * MOUSE_UM_PER_PIXEL / 1000)});
+    vm_show_do(show, (struct inp_act){.device = INP_MOUSE,
+                                      .verb = INP_MOVE,
+                                      .x = um(dx * MOUSE_UM_PER_PIXEL / 1000),
+                                      .y = um(dy * MOUSE_UM_PER_PIXEL / 1000)});
 }
 
 static void move(struct vm_show *show, double x, double y)
@@ -180,7 +179,7 @@ static void press(struct vm_show *show, int number, bool pressed)
     if (has && pressed && show->hand == VM_HAND_STYLUS)
         move(show, show->mouse_x, show->mouse_y); /* down to the surface, then the switch */
     if (has)
-        do_act(show, act);
+        vm_show_do(show, act);
     if (show->hand == VM_HAND_FINGER || (show->hand == VM_HAND_STYLUS && !pressed))
         move(show, show->mouse_x, show->mouse_y);
 }
@@ -259,122 +258,6 @@ bool vm_show_ring(const struct vm_show *show, double *x, double *y, double *radi
     return *radius > 0;
 }
 
-/* ---- keys ---------------------------------------------------------------------------------------
- */
-
-static uint8_t code_of(enum vm_key key)
-{
-    static const struct {
-        enum vm_key key;
-        uint8_t code;
-    } others[] = {
-        {VM_KEY_ENTER, KEYCODE_ENTER},
-        {VM_KEY_TAB, KEYCODE_TAB},
-        {VM_KEY_BACKSPACE, KEYCODE_BACKSPACE},
-        {VM_KEY_ESCAPE, KEYCODE_ESCAPE},
-        {VM_KEY_UP, KEYCODE_UP},
-        {VM_KEY_DOWN, KEYCODE_DOWN},
-        {VM_KEY_LEFT, KEYCODE_LEFT},
-        {VM_KEY_RIGHT, KEYCODE_RIGHT},
-        {VM_KEY_HOME, KEYCODE_HOME},
-        {VM_KEY_END, KEYCODE_END},
-        {VM_KEY_INSERT, KEYCODE_INSERT},
-        {VM_KEY_DELETE, KEYCODE_DELETE},
-        {VM_KEY_PAGE_UP, KEYCODE_PAGE_UP},
-        {VM_KEY_PAGE_DOWN, KEYCODE_PAGE_DOWN},
-        {VM_KEY_LEFT_SHIFT, KEYCODE_SHIFT},
-        {VM_KEY_RIGHT_SHIFT, KEYCODE_SHIFT},
-        {VM_KEY_LEFT_CONTROL, KEYCODE_CONTROL},
-        {VM_KEY_LEFT_ALT, KEYCODE_ALT},
-        {VM_KEY_RIGHT_ALT, KEYCODE_ALT},
-        {VM_KEY_CAPS_LOCK, KEYCODE_CAPS_LOCK},
-        {VM_KEY_LEFT_SUPER, KEYCODE_SUPER},
-        {VM_KEY_RIGHT_SUPER, KEYCODE_SUPER},
-        {VM_KEY_MENU, KEYCODE_MENU},
-        {VM_KEY_KP_DECIMAL, KEYCODE_PAD_POINT},
-        {VM_KEY_KP_DIVIDE, KEYCODE_PAD_DIVIDE},
-        {VM_KEY_KP_MULTIPLY, KEYCODE_PAD_TIMES},
-        {VM_KEY_KP_SUBTRACT, KEYCODE_PAD_MINUS},
-        {VM_KEY_KP_ADD, KEYCODE_PAD_PLUS},
-        {VM_KEY_KP_ENTER, KEYCODE_PAD_ENTER},
-        {VM_KEY_KP_EQUAL, KEYCODE_PAD_EQUAL},
-    };
-    if (key >= ' ' && key < 0x7F)
-        return (uint8_t)key;
-    if (key >= VM_KEY_F1 && key <= VM_KEY_F12)
-        return (uint8_t)(KEYCODE_F1 + (key - VM_KEY_F1));
-    if (key >= VM_KEY_KP_0 && key <= VM_KEY_KP_9)
-        return (uint8_t)(KEYCODE_PAD_0 + (key - VM_KEY_KP_0));
-    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
-        if (others[i].key == key)
-            return others[i].code;
-    return 0;
-}
-
-static void key(struct vm_show *show, uint8_t code, uint8_t character, bool pressed)
-{
-    if (code)
-        show->held[code] = pressed;
-    do_act(show, (struct inp_act){.device = INP_KEYBOARD,
-                                  .verb = pressed ? INP_PRESS : INP_RELEASE,
-                                  .code = code,
-                                  .character = character});
-}
-
-/* A key whose character has not come makes none. */
-static void press_waiting(struct vm_show *show, uint8_t character)
-{
-    if (!show->key_waits)
-        return;
-    show->key_waits = false;
-    key(show, show->waiting_code, character, true);
-}
-
-/* Ctrl with a letter makes a control character, whatever the layout. */
-static uint8_t control_character(const struct vm_event *event)
-{
-    enum vm_key k = event->u.key.key;
-    return (event->u.key.modifiers & VM_MOD_CONTROL) && k >= '@' && k <= '_' ? k & 0x1F : 0;
-}
-
-static void key_event(struct vm_show *show, const struct vm_event *event)
-{
-    uint8_t code = code_of(event->u.key.key);
-    if (event->u.key.action == VM_REPEAT || (!code && event->u.key.action != VM_PRESS))
-        return; /* the keyboard repeats by itself */
-    if (event->u.key.action == VM_RELEASE) {
-        if (show->held[code])
-            key(show, code, 0, false);
-        return;
-    }
-    uint8_t control = control_character(event);
-    if (control || code >= 0x80) {
-        key(show, code, control, true);
-        return;
-    }
-    show->key_waits = true;
-    show->waiting_code = code;
-}
-
-static void text_event(struct vm_show *show, uint32_t character)
-{
-    if (character >= 0x80) {
-        vm_show_say(show, "the keyboard is ASCII");
-        press_waiting(show, 0);
-    } else if (show->key_waits) {
-        press_waiting(show, (uint8_t)character);
-    } else {
-        key(show, 0, (uint8_t)character, true);
-    }
-}
-
-static void release_keys(struct vm_show *show)
-{
-    for (int code = 1; code < 256; code++)
-        if (show->held[code])
-            key(show, (uint8_t)code, 0, false);
-}
-
 /* ---- knobs --------------------------------------------------------------------------------------
  */
 
@@ -383,11 +266,11 @@ void vm_show_turn(struct vm_show *show, enum vm_head head)
     const struct crt_knobs *k = &show->knobs;
     const double value[INP_KNOBS] = {k->brightness, k->contrast, k->focus};
     for (int knob = 0; knob < INP_KNOBS; knob++)
-        do_act(show, (struct inp_act){.device = INP_KNOB,
-                                      .verb = INP_TURN,
-                                      .screen = (uint8_t)head,
-                                      .code = (uint8_t)knob,
-                                      .x = um(value[knob])});
+        vm_show_do(show, (struct inp_act){.device = INP_KNOB,
+                                          .verb = INP_TURN,
+                                          .screen = (uint8_t)head,
+                                          .code = (uint8_t)knob,
+                                          .x = um(value[knob])});
 }
 
 /* ---- events -------------------------------------------------------------------------------------
@@ -397,14 +280,14 @@ void vm_show_hand_event(struct vm_show *show, const struct vm_event *event)
 {
     show->event_time = event->time;
     if (event->kind == VM_EVENT_TEXT) {
-        text_event(show, event->u.text.character);
+        vm_show_text_event(show, event->u.text.character);
         return;
     }
-    press_waiting(show, 0);
+    vm_show_key_settle(show);
     switch (event->kind) {
     case VM_EVENT_GUEST_KEY:
     case VM_EVENT_HOST_KEY:
-        key_event(show, event);
+        vm_show_key_event(show, event);
         break;
     case VM_EVENT_MOUSE:
         move(show, event->x, event->y);
@@ -416,7 +299,7 @@ void vm_show_hand_event(struct vm_show *show, const struct vm_event *event)
         break;
     case VM_EVENT_FOCUS:
         if (!event->u.focus.gained) {
-            release_keys(show);
+            vm_show_release_keys(show);
             take_away(show);
         }
         break;
@@ -427,5 +310,5 @@ void vm_show_hand_event(struct vm_show *show, const struct vm_event *event)
 
 void vm_show_hand_flush(struct vm_show *show)
 {
-    press_waiting(show, 0);
+    vm_show_key_settle(show);
 }

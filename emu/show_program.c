@@ -6,6 +6,7 @@
 
 #include "crt/maths.h"
 #include "emu/record.h"
+#include "emu/script_suits.h"
 #include "emu/show.h"
 
 /* sRGB of a linear value, near enough for text. */
@@ -75,7 +76,8 @@ static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, st
     const char *glass = tube ? tube : vm_input_tube(&p->input);
     if (vm_settings_resolve(d->settings, header, glass, &p->settings, err) ||
         vm_light_settings(d->light, &p->settings, &p->lights, err) ||
-        !vm_view_suits(&p->settings, &p->input, err))
+        !(vm_view_suits(&p->settings, &p->input, err) &&
+          vm_script_suits(&p->settings, &p->input, err)))
         return false;
     for (int h = 0; h < VM_HEADS && show->knobs_touched; h++)
         p->settings.monitor[h].knobs = show->knobs;

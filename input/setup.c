@@ -200,3 +200,29 @@ bool inp_setup_check(const struct inp_setup *setup, const char *key, struct crt_
                     row->figure.low, row->figure.high,
                     strcmp(row->unit, "1") == 0 ? "" : row->unit);
 }
+
+/* ---- what is there ------------------------------------------------------------------------------
+ */
+
+bool inp_setup_has(const struct inp_setup *setup, unsigned heads, const struct inp_act *act)
+{
+    bool button = act->verb == INP_PRESS || act->verb == INP_RELEASE;
+    bool head = heads >> act->screen & 1;
+    switch (act->device) {
+    case INP_PEN:
+        return setup->has_pen && head;
+    case INP_TABLET:
+        return setup->tablet.kind != TABLET_NONE &&
+               !(button && act->code >= setup->tablet.buttons.value);
+    case INP_TOUCH:
+        return setup->touch.kind != TOUCH_NONE && head && act->screen == setup->touch.screen;
+    case INP_KEYBOARD:
+        return setup->has_keyboard;
+    case INP_MOUSE:
+        return setup->mouse.kind != MOUSE_NONE;
+    case INP_KNOB:
+        return head;
+    default:
+        return false;
+    }
+}

@@ -47,6 +47,9 @@ struct crt_figure *inp_setup_figure(struct inp_setup *setup, const char *key, co
 const char *inp_setup_key(unsigned index);
 /* What a kind may be, NULL at the end; NULL: that key is a figure's. */
 const char *const *inp_setup_kinds(unsigned index);
+/* Whether the device that an act is for is connected, and has that head, button; `heads`: a bit for each
+ * enum inp_screen that there is. */
+bool inp_setup_has(const struct inp_setup *setup, unsigned heads, const struct inp_act *act);
 /* Whether the value lies within the range that the device can have. */
 bool inp_setup_check(const struct inp_setup *setup, const char *key, struct crt_error *err);
 
