@@ -24,8 +24,8 @@
 #define INPUT_INPUT_REGS_H
 
 /* Bits of INPUT_STATUS, INPUT_IRQ_ENABLE, INPUT_PRESENT. */
-#define INPUT_BIT_PEN_VECTOR 0x01 /* INPUT_PEN_HIT of a raster pen; a tip switch changed, of both */
-#define INPUT_BIT_PEN_RASTER 0x02
+#define INPUT_BIT_PEN_VECTOR 0x01 /* its tip switch changed; hits are the display processor's */
+#define INPUT_BIT_PEN_RASTER 0x02 /* a hit is latched, or its tip switch changed */
 #define INPUT_BIT_TABLET     0x04 /* a report */
 #define INPUT_BIT_TOUCH      0x08 /* a report */
 #define INPUT_BIT_KEYBOARD   0x10 /* a key event */

@@ -72,8 +72,10 @@ uint64_t inp_unit_next(const struct inp_unit *unit)
 uint32_t inp_unit_status(const struct inp_unit *unit)
 {
     uint32_t bits = 0;
+    /* A hit of the vector head's pen is the display processor's to tell. */
+    static const uint32_t told[INP_SCREENS] = {PEN_TIP_MOVED, PEN_HIT | PEN_TIP_MOVED};
     for (int s = 0; s < INP_SCREENS; s++)
-        if (unit->port[s].status & (PEN_HIT | PEN_TIP_MOVED))
+        if (unit->port[s].status & told[s])
             bits |= inp_pen_bit[s];
     bits |= inp_tablet_ready(&unit->tablet) ? INPUT_BIT_TABLET : 0;
     bits |= inp_touch_ready(&unit->touch) ? INPUT_BIT_TOUCH : 0;

@@ -17,6 +17,9 @@
 #include "roms/calibrate/calibrate.h"
 #include "roms/stage/ink.h"
 
+extern const char kinescope_hand[];
+const char kinescope_hand[] = "pen"; /* what the mouse stands for in the window */
+
 enum { DONE = 100, ROWS_OF_LARGE_TEXT = 700 };
 
 static bool open_head(struct calibration *c)

@@ -22,6 +22,8 @@
 /* The vector head's tube, unless another is asked for: a pen sees how fast light comes, and P39 is slow. */
 extern const char kinescope_tube[];
 const char kinescope_tube[] = "VR17/P31";
+extern const char kinescope_hand[];
+const char kinescope_hand[] = "pen"; /* what the mouse stands for in the window */
 
 enum { LABEL = 100, FRAME = 200 /* and those after it: of segment n, FRAME + n */ };
 enum { FORGET = 1, END = 2 };

@@ -20,6 +20,8 @@
 /* The vector head's tube, unless another is asked for: a pen sees how fast light comes, and P39 is slow. */
 extern const char kinescope_tube[];
 const char kinescope_tube[] = "VR17/P31";
+extern const char kinescope_hand[];
+const char kinescope_hand[] = "pen"; /* what the mouse stands for in the window */
 
 struct program {
     struct stage stage;

@@ -24,7 +24,7 @@ struct rig {
     unsigned sendings;
 };
 
-static void sent(void *ctx, const char *bytes, size_t length, uint64_t t)
+static bool sent(void *ctx, const char *bytes, size_t length, uint64_t t)
 {
     struct rig *rig = ctx;
     assert_in_range(length, 1, 8);
@@ -34,6 +34,7 @@ static void sent(void *ctx, const char *bytes, size_t length, uint64_t t)
     }
     rig->last = t;
     rig->sendings++;
+    return true;
 }
 
 static void rig_init(struct rig *rig, uint32_t control)
