@@ -1,0 +1,143 @@
+/* view_figures.c — figures as polylines of a segment: lines that follow each other are one. */
+#include "roms/clip/liang_barsky.h"
+#include "roms/geometry/scalar.h"
+#include "roms/sketch/view_parts.h"
+
+enum { MARK_LENGTH = 14, MARK_OFF = 9, MARK_APART = 4 };
+
+static const struct clip_window area = {0, AREA_BOTTOM, AREA_RIGHT, AREA_TOP};
+
+struct pen {
+    struct segments *segments;
+    const struct tools *tools;
+    struct point2 at[SEGMENT_POINTS];
+    int count;
+    enum ink ink;
+    bool full;
+};
+
+static void flush(struct pen *pen)
+{
+    pen->segments->ink = pen->ink;
+    if (pen->count > 1 &&
+        segment_put(pen->segments, SEGMENT_POLYLINE, pen->at, pen->count) != SEGMENT_OK)
+        pen->full = true;
+    pen->count = 0;
+}
+
+static bool is_at(struct point2 a, struct point2 b)
+{
+    return a.x == b.x && a.y == b.y;
+}
+
+static bool is_sane(struct point2 p)
+{
+    return fabsf(p.x) < 1e5f && fabsf(p.y) < 1e5f;
+}
+
+static void line(struct pen *pen, struct point2 a, struct point2 b)
+{
+    if (!is_sane(a) || !is_sane(b) || !clip_liang_barsky(&area, &a, &b))
+        return;
+    if (pen->count > 0 && is_at(b, pen->at[pen->count - 1])) {
+        struct point2 end = a;
+        a = b;
+        b = end;
+    }
+    if (pen->count == 0 || pen->count == SEGMENT_POINTS || !is_at(a, pen->at[pen->count - 1])) {
+        flush(pen);
+        pen->at[pen->count++] = a;
+    }
+    pen->at[pen->count++] = b;
+}
+
+/* Chords at most half a unit off. */
+static void arc(struct pen *pen, const struct stroke *stroke, float begin, float sweep)
+{
+    float radius = stroke_radius(stroke);
+    if (!(radius < 1e5f) || radius == 0)
+        return;
+    int pieces = 3 + (int)(sweep / TURN * scalar_clamp(PI * sqrtf(radius), 12, 90));
+    float c = cosf(sweep / (float)pieces), s = sinf(sweep / (float)pieces);
+    float x = radius * cosf(begin), y = radius * sinf(begin);
+    struct point2 middle = stroke->at[0], a = {middle.x + x, middle.y + y};
+    for (int i = 0; i < pieces; i++) {
+        float turned = x * c - y * s;
+        y = x * s + y * c;
+        x = turned;
+        struct point2 b = {middle.x + x, middle.y + y};
+        line(pen, a, b);
+        a = b;
+    }
+}
+
+/* Two short lines beside the middle, as the line lies. */
+static void mark(struct pen *pen, const struct stroke *stroke, unsigned constraint)
+{
+    struct point2 m = {(stroke->at[0].x + stroke->at[1].x) / 2,
+                       (stroke->at[0].y + stroke->at[1].y) / 2};
+    flush(pen);
+    enum ink ink = pen->ink;
+    pen->ink = INK_BLUE;
+    for (int i = 0; i < 2; i++) {
+        float off = MARK_OFF + (float)(i * MARK_APART), half = MARK_LENGTH / 2.0f;
+        if (constraint == CONSTRAINT_HORIZONTAL)
+            line(pen, (struct point2){m.x - half, m.y - off}, (struct point2){m.x + half, m.y - off});
+        else
+            line(pen, (struct point2){m.x + off, m.y - half}, (struct point2){m.x + off, m.y + half});
+        flush(pen);
+    }
+    pen->ink = ink;
+}
+
+static void take(void *ctx, const struct stroke *stroke)
+{
+    struct pen *pen = ctx;
+    float begin, sweep;
+    unsigned constraint = pen->tools->drawing.now.figure[stroke->figure].constraint;
+    switch (stroke->kind) {
+    case FIGURE_LINE:
+        line(pen, stroke->at[0], stroke->at[1]);
+        if (!stroke->inner && constraint != CONSTRAINT_NONE)
+            mark(pen, stroke, constraint);
+        break;
+    case FIGURE_CIRCLE:
+        stroke_arc(stroke, &begin, &sweep);
+        arc(pen, stroke, begin, TURN);
+        break;
+    case FIGURE_ARC:
+        stroke_arc(stroke, &begin, &sweep);
+        arc(pen, stroke, begin, sweep);
+        break;
+    default:
+        break;
+    }
+}
+
+static enum ink ink_of(const struct view *view, const struct figure *f, int i)
+{
+    return view->moving[i]        ? INK_YELLOW
+           : view->selected[i]    ? INK_BRIGHT
+           : f->kind == FIGURE_COPY ? INK_CYAN
+                                    : INK_GREEN;
+}
+
+void view_group(struct view *view, const struct tools *tools, int group)
+{
+    static struct pen pen;
+    const struct drawing_state *s = &tools->drawing.now;
+    pen = (struct pen){.segments = &view->segments, .tools = tools};
+    view_renew(view);
+    for (int i = group * VIEW_GROUP; i < (group + 1) * VIEW_GROUP; i++) {
+        const struct figure *f = &s->figure[i];
+        if (f->kind == FIGURE_NONE || f->picture != tools->picture)
+            continue;
+        if (ink_of(view, f, i) != pen.ink)
+            flush(&pen);
+        pen.ink = ink_of(view, f, i);
+        expand_figure(s, i, take, &pen);
+    }
+    flush(&pen);
+    view->full |= pen.full;
+    view->stale[group] = !view_renewed(view, NAME_GROUP + group) || pen.full;
+}
