@@ -22,7 +22,7 @@
 #include "roms/stage/stage.h"
 
 enum {
-    AREA_RIGHT = 915, /* of the drawing */
+    AREA_RIGHT = 905, /* of the drawing */
     AREA_BOTTOM = 80,
     AREA_TOP = 800,
     MENU_LEFT = 990,

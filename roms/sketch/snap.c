@@ -11,6 +11,7 @@ struct search {
     float point_distance, line_distance;
     struct snapped point, line;
     struct point2 point_at, line_at;
+    struct stroke nearest; /* whose place line_at is */
 };
 
 static void try_points(struct search *k, const struct stroke *stroke)
@@ -48,6 +49,7 @@ static void take(void *ctx, const struct stroke *stroke)
                                .point = -1,
                                .figure = stroke->figure};
     k->line_at = on;
+    k->nearest = *stroke;
 }
 
 static struct snapped found(const struct search *k, struct place at)
@@ -64,7 +66,8 @@ static struct snapped found(const struct search *k, struct place at)
 }
 
 static struct snapped attracted(const struct drawing_state *s, int picture, float reach,
-                                struct place at, const struct snap_moving *moving)
+                                struct place at, const struct snap_moving *moving,
+                                struct stroke *nearest)
 {
     struct search k = {.from = place_in_units(at),
                        .moving = moving,
@@ -74,6 +77,7 @@ static struct snapped attracted(const struct drawing_state *s, int picture, floa
     struct snapped result = found(&k, at);
     if (result.point >= 0)
         result.at = s->point[result.point].at; /* exactly */
+    *nearest = k.nearest;
     return result;
 }
 
@@ -89,21 +93,43 @@ struct place snap_to_grid(struct place at, int32_t spacing)
     return (struct place){round_to(at.x, spacing), round_to(at.y, spacing)};
 }
 
+/* Where a line goes through the grid's place, that is meant. */
+static void prefer_grid(struct snapped *result, struct place grid, const struct stroke *line)
+{
+    struct point2 on;
+    if (result->kind != SNAP_LINE && result->kind != SNAP_CIRCLE)
+        return;
+    if (stroke_nearest(line, place_in_units(grid), &on) <= 1.0f / PLACE_UNIT)
+        result->at = grid;
+}
+
+/* A close grid is not to be drowned by what attracts beside it. */
+static float reach_of(const struct snap_settings *settings)
+{
+    float close = 0.6f * (float)settings->spacing / PLACE_UNIT;
+    return settings->grid ? scalar_min(settings->reach, close) : settings->reach;
+}
+
 struct snapped snap(const struct drawing_state *s, int picture,
                     const struct snap_settings *settings, struct place at,
                     const struct snap_moving *moving)
 {
     struct snapped result = {.kind = SNAP_NONE, .at = at, .point = -1, .figure = -1};
+    struct place grid = snap_to_grid(at, settings->spacing);
+    struct stroke nearest;
     if (settings->gravity)
-        result = attracted(s, picture, settings->reach, at, moving);
-    if (result.kind == SNAP_NONE && settings->grid) {
-        result.kind = SNAP_GRID;
-        result.at = snap_to_grid(at, settings->spacing);
-    }
+        result = attracted(s, picture, reach_of(settings), at, moving, &nearest);
+    if (!settings->grid)
+        return result;
+    if (result.kind == SNAP_NONE)
+        result = (struct snapped){.kind = SNAP_GRID, .at = grid, .point = -1, .figure = -1};
+    else
+        prefer_grid(&result, grid, &nearest);
     return result;
 }
 
 struct snapped snap_pick(const struct drawing_state *s, int picture, float reach, struct place at)
 {
-    return attracted(s, picture, reach, at, NULL);
+    struct stroke nearest;
+    return attracted(s, picture, reach, at, NULL, &nearest);
 }

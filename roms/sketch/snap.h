@@ -2,7 +2,8 @@
  *
  *      ·   ·   ·   ·        within reach of a point: there
  *        ○───────────       else within reach of a line, a circle, an arc: the nearest place on it
- *      ·   ·   ·   ·        else on the grid, when it attracts
+ *      ·   ·   ·   ·        (where it goes through the grid, if that is meant)
+ *                           else on the grid, when it attracts
  *
  * Models:     Sketchpad's pseudo light pen position: gravity, and a grid. Points are ends of figures
  *             and middles of circles, those within copies, too.
@@ -19,7 +20,7 @@
 struct snap_settings {
     bool grid, gravity;
     int32_t spacing; /* of the grid, hundredths; above 0 */
-    float reach;
+    float reach;     /* of gravity; less where the grid is close and attracts, too */
 };
 
 enum snap_kind { SNAP_NONE, SNAP_GRID, SNAP_LINE, SNAP_CIRCLE, SNAP_POINT };
