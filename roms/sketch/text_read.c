@@ -10,7 +10,7 @@ void text_begin(struct text_reader *r)
     r->picture = -1;
 }
 
-static void fail_at(struct text_reader *r, int line, const char *sentence)
+static void refuse_at(struct text_reader *r, int line, const char *sentence)
 {
     if (r->failed)
         return;
@@ -19,15 +19,15 @@ static void fail_at(struct text_reader *r, int line, const char *sentence)
     snprintf(r->error, sizeof r->error, "%s", sentence);
 }
 
-static void fail(struct text_reader *r, const char *sentence)
+static void refuse(struct text_reader *r, const char *sentence)
 {
-    fail_at(r, r->line, sentence);
+    refuse_at(r, r->line, sentence);
 }
 
 void text_too_long(struct text_reader *r)
 {
     r->line++;
-    fail(r, "the line is too long");
+    refuse(r, "the line is too long");
 }
 
 /* ---- words ----------------------------------------------------------------------------------- */
@@ -96,13 +96,13 @@ static void read_point(struct text_reader *r, const struct words *w)
     struct place at;
     snprintf(expected, sizeof expected, "%d", r->points + 1);
     if (w->count != 4)
-        fail(r, "a point is: point NUMBER X Y");
+        refuse(r, "a point is: point NUMBER X Y");
     else if (r->points == DRAWING_POINTS)
-        fail(r, "there are more points than can be kept");
+        refuse(r, "there are more points than can be kept");
     else if (strcmp(w->word[1], expected) != 0)
-        fail(r, "points are numbered 1, 2, 3 and so on, as they come");
+        refuse(r, "points are numbered 1, 2, 3 and so on, as they come");
     else if (!place(w, 2, &at))
-        fail(r, "a place is within -10000 and 10000, with two decimals");
+        refuse(r, "a place is within -10000 and 10000, with two decimals");
     if (r->failed)
         return;
     r->point_line[r->points] = r->line;
@@ -125,10 +125,10 @@ static bool ends(struct text_reader *r, const struct words *w, int first, struct
     for (int i = 0; i < figure_ends(f->kind); i++) {
         int p = point(r, w->word[first + i]);
         if (p < 0)
-            fail(r, "there is no such point in this picture");
+            refuse(r, "there is no such point in this picture");
         for (int k = 0; k < i && p >= 0; k++)
             if (f->end[k] == p)
-                fail(r, "the points of a figure are different ones");
+                refuse(r, "the points of a figure are different ones");
         f->end[i] = (uint16_t)(p < 0 ? 0 : p);
     }
     return !r->failed;
@@ -139,7 +139,7 @@ static void add(struct text_reader *r, const struct figure *f)
     if (r->failed)
         return;
     if (r->figures == DRAWING_FIGURES) {
-        fail(r, "there are more figures than can be kept");
+        refuse(r, "there are more figures than can be kept");
         return;
     }
     for (int i = 0; i < figure_ends(f->kind); i++)
@@ -154,11 +154,11 @@ static void read_line(struct text_reader *r, const struct words *w)
     bool level = w->count == 4 && strcmp(w->word[3], "horizontal") == 0;
     bool upright = w->count == 4 && strcmp(w->word[3], "vertical") == 0;
     if (w->count != 3 && !level && !upright)
-        fail(r, "a line is: line POINT POINT, then horizontal or vertical");
+        refuse(r, "a line is: line POINT POINT, then horizontal or vertical");
     else if (ends(r, w, 1, &f)) {
         struct place a = r->state.point[f.end[0]].at, b = r->state.point[f.end[1]].at;
         if ((level && a.y != b.y) || (upright && a.x != b.x))
-            fail(r, level ? "that line is not horizontal" : "that line is not vertical");
+            refuse(r, level ? "that line is not horizontal" : "that line is not vertical");
         f.constraint = level     ? CONSTRAINT_HORIZONTAL
                        : upright ? CONSTRAINT_VERTICAL
                                  : CONSTRAINT_NONE;
@@ -170,7 +170,7 @@ static void read_round(struct text_reader *r, const struct words *w, enum figure
 {
     struct figure f = {.kind = (uint8_t)kind, .picture = (uint8_t)r->picture};
     if (w->count != 1 + figure_ends(kind))
-        fail(r, kind == FIGURE_ARC ? "an arc is: arc MIDDLE BEGIN END"
+        refuse(r, kind == FIGURE_ARC ? "an arc is: arc MIDDLE BEGIN END"
                                    : "a circle is: circle MIDDLE RIM");
     else if (ends(r, w, 1, &f))
         add(r, &f);
@@ -187,18 +187,18 @@ static void read_copy(struct text_reader *r, const struct words *w)
 {
     struct figure f = {.kind = FIGURE_COPY, .picture = (uint8_t)r->picture};
     if (w->count != 5) {
-        fail(r, "a copy is: copy LETTER POINT SCALE DEGREES");
+        refuse(r, "a copy is: copy LETTER POINT SCALE DEGREES");
         return;
     }
     f.master = (uint8_t)letter(w->word[1]);
     if (f.master == 0)
-        fail(r, "subpictures are A to P");
+        refuse(r, "subpictures are A to P");
     else if (!number(w->word[3], SCALE_ONE, SCALE_MOST / SCALE_ONE, &f.scale) ||
              f.scale < SCALE_LEAST || f.scale > SCALE_MOST)
-        fail(r, "a scale is within 0.01 and 100, with three decimals");
+        refuse(r, "a scale is within 0.01 and 100, with three decimals");
     else if (!number(w->word[4], ANGLE_DEGREE, ANGLE_TURN / ANGLE_DEGREE, &f.angle) ||
              f.angle < 0 || f.angle >= ANGLE_TURN)
-        fail(r, "degrees are within 0 and 359.99, with two decimals");
+        refuse(r, "degrees are within 0 and 359.99, with two decimals");
     else if (ends(r, w, 2, &f))
         add(r, &f);
 }
@@ -208,11 +208,11 @@ static void read_picture(struct text_reader *r, const struct words *w, bool draw
     int picture = drawing ? 0 : w->count == 4 ? letter(w->word[1]) : -1;
     struct place origin = {0, 0};
     if (drawing ? w->count != 1 : picture <= 0)
-        fail(r, drawing ? "drawing stands alone" : "a subpicture is: subpicture LETTER X Y");
+        refuse(r, drawing ? "drawing stands alone" : "a subpicture is: subpicture LETTER X Y");
     else if (drawing ? r->drawing_seen : r->state.master[picture].used != 0)
-        fail(r, "that picture has been there before");
+        refuse(r, "that picture has been there before");
     else if (!drawing && !place(w, 2, &origin))
-        fail(r, "a place is within -10000 and 10000, with two decimals");
+        refuse(r, "a place is within -10000 and 10000, with two decimals");
     if (r->failed)
         return;
     r->picture = picture;
@@ -230,9 +230,9 @@ static void check_copies(struct text_reader *r)
         if (f->kind != FIGURE_COPY)
             continue;
         if (!r->state.master[f->master].used)
-            fail_at(r, r->figure_line[i], "there is no such subpicture");
+            refuse_at(r, r->figure_line[i], "there is no such subpicture");
         else if (drawing_reaches(&r->state, f->master, f->picture))
-            fail_at(r, r->figure_line[i], "a subpicture cannot hold a copy of itself");
+            refuse_at(r, r->figure_line[i], "a subpicture cannot hold a copy of itself");
     }
 }
 
@@ -240,11 +240,11 @@ static void check_all(struct text_reader *r)
 {
     for (int i = 0; i < r->points; i++)
         if (r->state.point[i].users == 0)
-            fail_at(r, r->point_line[i], "no figure uses this point");
+            refuse_at(r, r->point_line[i], "no figure uses this point");
     check_copies(r);
     for (int i = 0; i <= DRAWING_MASTERS && !r->failed; i++)
         if (drawing_strokes(&r->state, i) > DRAWING_STROKES)
-            fail(r, "it would show more than 1200 figures with its copies");
+            refuse(r, "it would show more than 1200 figures with its copies");
 }
 
 static void statement(struct text_reader *r, const struct words *w)
@@ -253,7 +253,7 @@ static void statement(struct text_reader *r, const struct words *w)
     if (strcmp(word, "drawing") == 0 || strcmp(word, "subpicture") == 0)
         read_picture(r, w, word[0] == 'd');
     else if (r->picture < 0)
-        fail(r, "before figures comes: drawing, or: subpicture LETTER X Y");
+        refuse(r, "before figures comes: drawing, or: subpicture LETTER X Y");
     else if (strcmp(word, "point") == 0)
         read_point(r, w);
     else if (strcmp(word, "line") == 0)
@@ -265,7 +265,7 @@ static void statement(struct text_reader *r, const struct words *w)
     else if (strcmp(word, "copy") == 0)
         read_copy(r, w);
     else
-        fail(r, "lines begin with point, line, circle, arc, copy");
+        refuse(r, "lines begin with point, line, circle, arc, copy");
 }
 
 void text_line(struct text_reader *r, const char *line)
@@ -275,7 +275,7 @@ void text_line(struct text_reader *r, const char *line)
         return;
     r->line++;
     if (strlen(line) > TEXT_LINE)
-        fail(r, "the line is too long");
+        refuse(r, "the line is too long");
     split(line, &w);
     if (w.count == 0)
         return;
@@ -283,11 +283,11 @@ void text_line(struct text_reader *r, const char *line)
     if (r->failed)
         return;
     if (!r->begun && (w.count != 2 || strcmp(w.word[0], "sketch") || strcmp(w.word[1], "1")))
-        fail(r, "the first line is: sketch 1");
+        refuse(r, "the first line is: sketch 1");
     else if (!r->begun)
         r->begun = true;
     else if (w.more)
-        fail(r, "there are too many words");
+        refuse(r, "there are too many words");
     else if (r->done)
         check_all(r);
     else

@@ -44,7 +44,7 @@ static struct place somewhere(void)
     return (struct place){(int32_t)below(120000), (int32_t)below(80000)};
 }
 
-static void start(uint32_t with)
+static void fresh_start(uint32_t with)
 {
     seed = with;
     drawing_begin(&drawing);
@@ -149,7 +149,7 @@ static void operate(void)
         break;
     case 4: {
         int from = some_point(0), into = some_point(0);
-        if (from < 0 || from == into)
+        if (from < 0 || into < 0 || from == into)
             break;
         constraint_begin(&scratch);
         constraint_to(&scratch, from, drawing.now.point[into].at);
@@ -208,7 +208,7 @@ static void test_whatever_is_done(void **state)
 {
     (void)state;
     for (uint32_t round = 1; round <= 12; round++) {
-        start(round * 77u);
+        fresh_start(round * 77u);
         for (int i = 0; i < 700; i++) {
             operate();
             if (i % 10 == 0)
@@ -228,7 +228,7 @@ static void test_history_gives_back_every_byte(void **state)
     static struct drawing_state after[STEPS + 1];
     for (uint32_t round = 1; round <= 6; round++) {
         int steps = 0;
-        start(round * 991u);
+        fresh_start(round * 991u);
         after[0] = drawing.now;
         while (steps < STEPS) {
             undo_begin(&history);
@@ -259,7 +259,7 @@ static void test_history_is_deep_enough(void **state)
 {
     (void)state;
     static struct drawing_state after[UNDO_LEAST + 11];
-    start(5);
+    fresh_start(5);
     for (int step = 0; step <= UNDO_LEAST + 10; step++) {
         undo_begin(&history);
         for (int i = 0; i < DRAWING_POINTS; i++)
@@ -286,7 +286,7 @@ static void test_history_is_deep_enough(void **state)
 static void test_a_new_step_forgets_what_was_taken_back(void **state)
 {
     (void)state;
-    start(9);
+    fresh_start(9);
     for (int i = 0; i < 1000; i++) { /* more than there are places for steps */
         undo_begin(&history);
         drawing_change_point(&drawing, 3)->at.x = i + 1;
@@ -316,7 +316,7 @@ static void test_drags_move_what_hangs_on_and_nothing_else(void **state)
 {
     (void)state;
     for (uint32_t round = 1; round <= 20; round++) {
-        start(round * 31u);
+        fresh_start(round * 31u);
         for (int i = 0; i < 60; i++)
             add_some(1);
         for (int i = 0; i < 40; i++)
@@ -352,7 +352,7 @@ static void test_a_line_keeps_its_length(void **state)
 {
     (void)state;
     int line;
-    start(1);
+    fresh_start(1);
     struct figure like = {.kind = FIGURE_LINE};
     struct drawing_end ends[] = {{-1, {100, 100}}, {-1, {500, 100}}};
     drawing_add(&drawing, &like, ends, &line);
@@ -372,7 +372,7 @@ static void test_full_stores_refuse_and_keep(void **state)
 {
     (void)state;
     enum drawing_status status = DRAWING_OK;
-    start(3);
+    fresh_start(3);
     while (status == DRAWING_OK) {
         const struct drawing_state before = drawing.now;
         status = add_some(1);
@@ -389,7 +389,7 @@ static void test_copies_of_copies_end(void **state)
 {
     (void)state;
     int line, master = 0, copy;
-    start(4);
+    fresh_start(4);
     struct figure like = {.kind = FIGURE_LINE};
     struct drawing_end ends[] = {{-1, {0, 0}}, {-1, {100, 0}}};
     drawing_add(&drawing, &like, ends, &line);
@@ -438,7 +438,7 @@ static void test_copies_show_what_they_are_copies_of(void **state)
         static struct taken before, after;
         bool selected[DRAWING_FIGURES] = {false};
         int master[2], copy[2];
-        start(round * 13u);
+        fresh_start(round * 13u);
         for (int i = 0; i < 6; i++)
             add_some(3);
         for (int i = 0; i < 4; i++)
@@ -523,7 +523,7 @@ static double slow_distance(const struct stroke *k, double x, double y)
 static void test_the_nearest_place_of_a_figure(void **state)
 {
     (void)state;
-    start(21);
+    fresh_start(21);
     for (int i = 0; i < 300; i++) {
         struct stroke k = {.kind = (enum figure_kind)(1 + below(3))};
         for (int end = 0; end < DRAWING_ENDS; end++)
@@ -542,7 +542,7 @@ static void test_snapping_takes_the_nearest(void **state)
 {
     (void)state;
     int kinds[5] = {0};
-    start(22);
+    fresh_start(22);
     for (int i = 0; i < 60; i++)
         add_some(4);
     define_some();
