@@ -47,7 +47,8 @@ static void end_load(struct session *s)
         snprintf(sentence, sizeof sentence, "Line %d: %s", r->error_line, r->error);
     } else {
         tools_replace(&s->tools, &r->state);
-        snprintf(sentence, sizeof sentence, "Loaded: %d points, %d figures.", r->points, r->figures);
+        snprintf(sentence, sizeof sentence, "Loaded: %d points, %d figures.", r->points,
+                 r->figures);
     }
     tools_say(&s->tools, sentence);
     console_write("load: ");

@@ -23,7 +23,8 @@ struct session {
     struct pointer pointer;
     bool helping, loading, shift;
     struct text_reader reader;
-    char line[TEXT_LINE + 2]; /* of the console, while loading; one more tells that it is too long */
+    char
+        line[TEXT_LINE + 2]; /* of the console, while loading; one more tells that it is too long */
     int length;
     bool returned; /* the byte before was a carriage return */
 };

@@ -18,8 +18,8 @@ static void try_points(struct search *k, const struct stroke *stroke)
 {
     for (int i = 0; i < figure_ends(stroke->kind); i++) {
         int point = stroke->point[i];
-        if (k->moving != NULL && (point >= 0 ? k->moving->point[point]
-                                             : k->moving->figure[stroke->figure]))
+        if (k->moving != NULL &&
+            (point >= 0 ? k->moving->point[point] : k->moving->figure[stroke->figure]))
             continue;
         float x = stroke->at[i].x - k->from.x, y = stroke->at[i].y - k->from.y;
         float distance = sqrtf(x * x + y * y);

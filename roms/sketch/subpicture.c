@@ -88,11 +88,11 @@ static enum drawing_status may_define(const struct drawing_state *s, const struc
         points += s->point[i].users == 0;
     for (int i = 0; i < DRAWING_FIGURES; i++)
         figures += s->figure[i].kind == FIGURE_NONE;
-    return c->figures == 0           ? DRAWING_NOTHING
-           : master == 0             ? DRAWING_MASTERS_FULL
-           : points < c->shared + 1  ? DRAWING_POINTS_FULL
-           : figures < 1             ? DRAWING_FIGURES_FULL
-                                     : DRAWING_OK;
+    return c->figures == 0          ? DRAWING_NOTHING
+           : master == 0            ? DRAWING_MASTERS_FULL
+           : points < c->shared + 1 ? DRAWING_POINTS_FULL
+           : figures < 1            ? DRAWING_FIGURES_FULL
+                                    : DRAWING_OK;
 }
 
 /* The picture's own point there stays in use: what was joined there stays joined to the copy. */

@@ -171,7 +171,7 @@ static void read_round(struct text_reader *r, const struct words *w, enum figure
     struct figure f = {.kind = (uint8_t)kind, .picture = (uint8_t)r->picture};
     if (w->count != 1 + figure_ends(kind))
         refuse(r, kind == FIGURE_ARC ? "an arc is: arc MIDDLE BEGIN END"
-                                   : "a circle is: circle MIDDLE RIM");
+                                     : "a circle is: circle MIDDLE RIM");
     else if (ends(r, w, 1, &f))
         add(r, &f);
 }

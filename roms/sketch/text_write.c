@@ -43,10 +43,9 @@ static void write_points(struct writer *w, int picture)
 
 static void write_figure(struct writer *w, const struct figure *f)
 {
-    static const char *const kept[] = {
-        [CONSTRAINT_NONE] = "",
-        [CONSTRAINT_HORIZONTAL] = " horizontal",
-        [CONSTRAINT_VERTICAL] = " vertical"};
+    static const char *const kept[] = {[CONSTRAINT_NONE] = "",
+                                       [CONSTRAINT_HORIZONTAL] = " horizontal",
+                                       [CONSTRAINT_VERTICAL] = " vertical"};
     char line[TEXT_LINE + 1], scale[16], angle[16];
     int a = w->number[f->end[0]], b = w->number[f->end[1]], c = w->number[f->end[2]];
     if (f->kind == FIGURE_LINE)

@@ -167,9 +167,8 @@ static void choose(struct tools *t, enum command tool)
     }
     /* Chosen again: copies of the next subpicture. */
     if (tool == COMMAND_COPY)
-        t->master = subpicture_next(&t->drawing.now, t->tool == tool || t->master == 0
-                                                         ? t->master
-                                                         : t->master - 1);
+        t->master = subpicture_next(&t->drawing.now,
+                                    t->tool == tool || t->master == 0 ? t->master : t->master - 1);
     if (tool == COMMAND_COPY && t->master == 0) {
         tools_worked(t, DRAWING_NO_MASTER);
         return;
@@ -181,8 +180,8 @@ static void define(struct tools *t)
 {
     int master, copy;
     undo_begin(&t->undo);
-    enum drawing_status status = subpicture_define(&t->drawing, t->picture, t->selection.figure,
-                                                   &master, &copy);
+    enum drawing_status status =
+        subpicture_define(&t->drawing, t->picture, t->selection.figure, &master, &copy);
     if (!tools_worked(t, status)) {
         tools_leave_off(t);
         return;
@@ -190,8 +189,7 @@ static void define(struct tools *t)
     tools_finish(t);
     t->master = master;
     snprintf(t->message, sizeof t->message,
-             "That is subpicture %c now: Copy places it again, Open changes it.",
-             'A' + master - 1);
+             "That is subpicture %c now: Copy places it again, Open changes it.", 'A' + master - 1);
 }
 
 static void open(struct tools *t)
@@ -210,8 +208,7 @@ static void open(struct tools *t)
         tools_say(t, "This is the drawing.");
     else
         snprintf(t->message, sizeof t->message,
-                 "Subpicture %c: its copies change with it. Open goes back.",
-                 'A' + master - 1);
+                 "Subpicture %c: its copies change with it. Open goes back.", 'A' + master - 1);
 }
 
 static int32_t stepped(int32_t v, int32_t step, int32_t least, int32_t most)

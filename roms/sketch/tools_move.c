@@ -15,7 +15,7 @@ struct load {
     int point[DRAWING_POINTS], count;
 };
 
-static void take_point(struct load *load, int point)
+static void load_point(struct load *load, int point)
 {
     if (load->taken[point])
         return;
@@ -23,20 +23,20 @@ static void take_point(struct load *load, int point)
     load->point[load->count++] = point;
 }
 
-static void take_figure(struct load *load, const struct figure *f)
+static void load_figure(struct load *load, const struct figure *f)
 {
     for (int i = 0; i < figure_ends(f->kind); i++)
-        take_point(load, f->end[i]);
+        load_point(load, f->end[i]);
 }
 
 /* A point; with it the circles and arcs that it is the middle of. */
-static bool take_middle(struct load *load, const struct drawing_state *s, int point)
+static bool load_middle(struct load *load, const struct drawing_state *s, int point)
 {
-    take_point(load, point);
+    load_point(load, point);
     for (int i = 0; i < DRAWING_FIGURES; i++) {
         const struct figure *f = &s->figure[i];
         if ((f->kind == FIGURE_CIRCLE || f->kind == FIGURE_ARC) && f->end[0] == point)
-            take_figure(load, f);
+            load_figure(load, f);
     }
     return load->count > 1;
 }
@@ -67,11 +67,11 @@ static void grasp(struct tools *t, const struct snapped *what)
     if (t->selection.figure[what->figure]) {
         for (int i = 0; i < DRAWING_FIGURES; i++)
             if (t->selection.figure[i])
-                take_figure(&load, &s->figure[i]);
+                load_figure(&load, &s->figure[i]);
     } else if (what->kind == SNAP_POINT && what->point >= 0) {
-        t->single = !take_middle(&load, s, what->point);
+        t->single = !load_middle(&load, s, what->point);
     } else {
-        take_figure(&load, &s->figure[what->figure]);
+        load_figure(&load, &s->figure[what->figure]);
     }
     undo_begin(&t->undo);
     t->phase = PHASE_MOVING;
@@ -105,7 +105,8 @@ static void box_point(struct tools *t)
 static void carry(struct tools *t)
 {
     const struct pointing *p = &t->pointing;
-    struct place at = {t->from.x + p->at.x - t->pressed_at.x, t->from.y + p->at.y - t->pressed_at.y};
+    struct place at = {t->from.x + p->at.x - t->pressed_at.x,
+                       t->from.y + p->at.y - t->pressed_at.y};
     t->cursor = tools_snap(t, at);
     if (p->upright && t->cursor.kind != SNAP_POINT) {
         t->cursor.at = tools_aligned(t->from, t->cursor.at);

@@ -34,7 +34,8 @@ static void follow_from(struct tools *t, int end)
     for (int i = end; i < figure_ends(live(t)->kind); i++)
         points[count++] = live(t)->end[i];
     tools_follow(t, points, count);
-    for (int i = 0; i < end; i++) /* nor does its beginning attract: small figures could not be made */
+    for (int i = 0; i < end;
+         i++) /* nor does its beginning attract: small figures could not be made */
         t->moving.point[live(t)->end[i]] = true;
 }
 
@@ -134,7 +135,8 @@ static void place_end(struct tools *t)
 {
     struct place begin_at = drawing_end_place(&t->drawing.now, t->figure, 0);
     struct place at = drawing_end_place(&t->drawing.now, t->figure, t->end);
-    if ((t->end == 1 && !tools_is_far(begin_at, at, TOOLS_STEADY)) || !share(t) || !keep_upright(t)) {
+    if ((t->end == 1 && !tools_is_far(begin_at, at, TOOLS_STEADY)) || !share(t) ||
+        !keep_upright(t)) {
         tools_leave_off(t);
         return;
     }

@@ -83,7 +83,8 @@ static void put_attraction(struct view *view, const struct snapped *cursor)
 {
     struct point2 p = place_in_units(cursor->at);
     float r = cursor->kind == SNAP_POINT ? 9 : 7;
-    const struct point2 diamond[] = {{p.x - r, p.y}, {p.x, p.y - r}, {p.x + r, p.y}, {p.x, p.y + r}};
+    const struct point2 diamond[] = {
+        {p.x - r, p.y}, {p.x, p.y - r}, {p.x + r, p.y}, {p.x, p.y + r}};
     if (cursor->kind == SNAP_POINT)
         put_box(view, INK_ORANGE, p.x - r, p.y - r, p.x + r, p.y + r);
     else if (cursor->kind == SNAP_LINE || cursor->kind == SNAP_CIRCLE)

@@ -82,9 +82,11 @@ static void mark(struct pen *pen, const struct stroke *stroke, unsigned constrai
     for (int i = 0; i < 2; i++) {
         float off = MARK_OFF + (float)(i * MARK_APART), half = MARK_LENGTH / 2.0f;
         if (constraint == CONSTRAINT_HORIZONTAL)
-            line(pen, (struct point2){m.x - half, m.y - off}, (struct point2){m.x + half, m.y - off});
+            line(pen, (struct point2){m.x - half, m.y - off},
+                 (struct point2){m.x + half, m.y - off});
         else
-            line(pen, (struct point2){m.x + off, m.y - half}, (struct point2){m.x + off, m.y + half});
+            line(pen, (struct point2){m.x + off, m.y - half},
+                 (struct point2){m.x + off, m.y + half});
         flush(pen);
     }
     pen->ink = ink;
@@ -116,8 +118,8 @@ static void take(void *ctx, const struct stroke *stroke)
 
 static enum ink ink_of(const struct view *view, const struct figure *f, int i)
 {
-    return view->moving[i]        ? INK_YELLOW
-           : view->selected[i]    ? INK_BRIGHT
+    return view->moving[i]          ? INK_YELLOW
+           : view->selected[i]      ? INK_BRIGHT
            : f->kind == FIGURE_COPY ? INK_CYAN
                                     : INK_GREEN;
 }

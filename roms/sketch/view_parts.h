@@ -12,7 +12,16 @@
 
 #include "roms/sketch/view.h"
 
-enum { NAME_GRID = 1, NAME_MENU, NAME_MARKS, NAME_BAND, NAME_STATUS, NAME_CURSOR, NAME_NEW, NAME_GROUP };
+enum {
+    NAME_GRID = 1,
+    NAME_MENU,
+    NAME_MARKS,
+    NAME_BAND,
+    NAME_STATUS,
+    NAME_CURSOR,
+    NAME_NEW,
+    NAME_GROUP
+};
 
 /* What is put in between them takes the place of the segment of this name. */
 void view_renew(struct view *view);

@@ -22,7 +22,7 @@
 #include "roms/sketch/snap.c"
 #undef take
 #define count subpicture_count
-#define uses subpicture_uses
+#define uses  subpicture_uses
 #include "roms/sketch/subpicture.c"
 #undef count
 #undef uses
@@ -446,7 +446,8 @@ static void test_copies_show_what_they_are_copies_of(void **state)
         before.count = after.count = 0;
         for (int i = 0; i < 4; i++)
             expand_figure(&drawing.now, i, collect, &before);
-        assert_int_equal(subpicture_define(&drawing, 0, selected, &master[0], &copy[0]), DRAWING_OK);
+        assert_int_equal(subpicture_define(&drawing, 0, selected, &master[0], &copy[0]),
+                         DRAWING_OK);
         expand_figure(&drawing.now, copy[0], collect, &after);
         assert_int_equal(after.count, 4);
         for (int i = 0; i < 4; i++)
@@ -459,7 +460,8 @@ static void test_copies_show_what_they_are_copies_of(void **state)
         struct figure *f[2] = {&drawing.now.figure[copy[0]], NULL};
         f[0]->scale = 200 + (int32_t)below(2000);
         f[0]->angle = (int32_t)below(ANGLE_TURN);
-        assert_int_equal(subpicture_define(&drawing, 0, selected, &master[1], &copy[1]), DRAWING_OK);
+        assert_int_equal(subpicture_define(&drawing, 0, selected, &master[1], &copy[1]),
+                         DRAWING_OK);
         f[1] = &drawing.now.figure[copy[1]];
         f[1]->scale = 200 + (int32_t)below(2000);
         f[1]->angle = (int32_t)below(ANGLE_TURN);

@@ -98,8 +98,8 @@ static void make(struct drawing *d)
             like.master = 0, like.scale = like.angle = 0;
         for (int i = 0; i < DRAWING_ENDS; i++) {
             int point = (int)below(DRAWING_POINTS / 4);
-            bool shared = d->now.point[point].users != 0 &&
-                          d->now.point[point].picture == like.picture;
+            bool shared =
+                d->now.point[point].users != 0 && d->now.point[point].picture == like.picture;
             ends[i] = (struct drawing_end){shared ? point : -1,
                                            {some_number(PLACE_MOST), some_number(PLACE_MOST)}};
             for (int k = 0; k < i; k++)
@@ -185,9 +185,10 @@ static void check_state(const struct drawing_state *s)
 
 static void mutate(struct written *w)
 {
-    static const char *const words[] = {"-",      "1e9",   "9999999999", "line ", "\n",
-                                        "copy A", " 0",    "point",      "end\n", "subpicture B 1 1\n",
-                                        ".",      "10000", "horizontal", "#",     "drawing\n"};
+    static const char *const words[] = {
+        "-",      "1e9",   "9999999999", "line ", "\n",
+        "copy A", " 0",    "point",      "end\n", "subpicture B 1 1\n",
+        ".",      "10000", "horizontal", "#",     "drawing\n"};
     size_t at = below((uint32_t)w->length), more;
     switch (below(6)) {
     case 0:
@@ -262,31 +263,32 @@ static void test_errors_tell_their_line(void **state)
     refused_at("drawing\nend\n", 1, "the first line is: sketch 1");
     refused_at("sketch 2\n", 1, "the first line is: sketch 1");
     refused_at("# a comment\n\nsketch 1\npoint 1 0 0\n", 4,
-           "before figures comes: drawing, or: subpicture LETTER X Y");
+               "before figures comes: drawing, or: subpicture LETTER X Y");
     refused_at("sketch 1\ndrawing\ndrawing\n", 3, "that picture has been there before");
     refused_at("sketch 1\ndrawing\npoint 2 0 0\n", 3,
-           "points are numbered 1, 2, 3 and so on, as they come");
+               "points are numbered 1, 2, 3 and so on, as they come");
     refused_at("sketch 1\ndrawing\npoint 1 0 10000.01\n", 3,
-           "a place is within -10000 and 10000, with two decimals");
+               "a place is within -10000 and 10000, with two decimals");
     refused_at("sketch 1\ndrawing\npoint 1 0 0.123\n", 3,
-           "a place is within -10000 and 10000, with two decimals");
+               "a place is within -10000 and 10000, with two decimals");
     refused_at("sketch 1\ndrawing\npoint 1 0 0\npoint 2 3 1\nline 1 2 horizontal\n", 5,
-           "that line is not horizontal");
+               "that line is not horizontal");
     refused_at("sketch 1\ndrawing\npoint 1 0 0\nline 1 1\n", 4,
-           "the points of a figure are different ones");
+               "the points of a figure are different ones");
     refused_at("sketch 1\ndrawing\npoint 1 0 0\nline 1 2\n", 4,
-           "there is no such point in this picture");
+               "there is no such point in this picture");
     refused_at("sketch 1\nsubpicture A 0 0\npoint 1 0 0\ndrawing\ncopy A 1 1 0\n", 5,
-           "there is no such point in this picture");
+               "there is no such point in this picture");
     refused_at("sketch 1\ndrawing\npoint 1 0 0\nend\n", 3, "no figure uses this point");
-    refused_at("sketch 1\ndrawing\npoint 1 0 0\ncopy C 1 1 0\nend\n", 4, "there is no such subpicture");
+    refused_at("sketch 1\ndrawing\npoint 1 0 0\ncopy C 1 1 0\nend\n", 4,
+               "there is no such subpicture");
     refused_at("sketch 1\ndrawing\npoint 1 0 0\ncopy C 1 0.001 0\n", 4,
-           "a scale is within 0.01 and 100, with three decimals");
+               "a scale is within 0.01 and 100, with three decimals");
     refused_at("sketch 1\ndrawing\npoint 1 0 0\ncopy C 1 1 360\n", 4,
-           "degrees are within 0 and 359.99, with two decimals");
+               "degrees are within 0 and 359.99, with two decimals");
     refused_at("sketch 1\nsubpicture A 0 0\npoint 1 0 0\ncopy B 1 1 0\nsubpicture B 0 0\n"
-           "point 2 0 0\ncopy A 2 1 0\nend\n",
-           4, "a subpicture cannot hold a copy of itself");
+               "point 2 0 0\ncopy A 2 1 0\nend\n",
+               4, "a subpicture cannot hold a copy of itself");
     refused_at("sketch 1\ndrawing\npoint 1 0 0 0 0 0 0 0\n", 3, "there are too many words");
 }
 
