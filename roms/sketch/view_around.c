@@ -169,7 +169,7 @@ void view_status(struct view *view, const struct tools *tools)
                                         [SNAP_LINE] = "line",
                                         [SNAP_CIRCLE] = "circle",
                                         [SNAP_POINT] = "point"};
-    static const float columns[VIEW_STATUS] = {0, 410, 655};
+    static const float columns[VIEW_STATUS] = {0, 405, 670};
     char text[VIEW_STATUS][VIEW_STATUS_TEXT + 1], x[12], y[12];
     struct place at = tools->cursor.at;
     memset(text, 0, sizeof text);

@@ -51,13 +51,13 @@ static void line(struct pen *pen, struct point2 a, struct point2 b)
     pen->at[pen->count++] = b;
 }
 
-/* Chords at most half a unit off. */
+/* Chords at most a quarter of a unit off. */
 static void arc(struct pen *pen, const struct stroke *stroke, float begin, float sweep)
 {
     float radius = stroke_radius(stroke);
     if (!(radius < 1e5f) || radius == 0)
         return;
-    int pieces = 3 + (int)(sweep / TURN * scalar_clamp(PI * sqrtf(radius), 12, 90));
+    int pieces = 3 + (int)(sweep / TURN * scalar_clamp(1.5f * PI * sqrtf(radius), 12, 120));
     float c = cosf(sweep / (float)pieces), s = sinf(sweep / (float)pieces);
     float x = radius * cosf(begin), y = radius * sinf(begin);
     struct point2 middle = stroke->at[0], a = {middle.x + x, middle.y + y};
@@ -124,15 +124,34 @@ static enum ink ink_of(const struct view *view, const struct figure *f, int i)
                                     : INK_GREEN;
 }
 
+static bool is_shown(const struct tools *tools, int i)
+{
+    const struct figure *f = &tools->drawing.now.figure[i];
+    return f->kind != FIGURE_NONE && f->picture == tools->picture;
+}
+
+static bool is_empty(const struct tools *tools, int group)
+{
+    for (int i = group * VIEW_GROUP; i < (group + 1) * VIEW_GROUP; i++)
+        if (is_shown(tools, i))
+            return false;
+    return true;
+}
+
 void view_group(struct view *view, const struct tools *tools, int group)
 {
     static struct pen pen;
     const struct drawing_state *s = &tools->drawing.now;
+    view->stale[group] = false;
+    if (is_empty(tools, group)) {
+        segment_delete(&view->segments, NAME_GROUP + group);
+        return;
+    }
     pen = (struct pen){.segments = &view->segments, .tools = tools};
     view_renew(view);
     for (int i = group * VIEW_GROUP; i < (group + 1) * VIEW_GROUP; i++) {
         const struct figure *f = &s->figure[i];
-        if (f->kind == FIGURE_NONE || f->picture != tools->picture)
+        if (!is_shown(tools, i))
             continue;
         if (ink_of(view, f, i) != pen.ink)
             flush(&pen);
