@@ -195,6 +195,8 @@ static void release(struct session *s)
 static bool take_pointer(struct session *s)
 {
     struct pointer *p = &s->pointer;
+    if (light_pen_poll(&s->view.light_pen, p) && !s->helping)
+        view_draw(&s->view, &s->tools);
     if (!pointer_poll(p))
         return false;
     if (p->pressed_now)

@@ -10,7 +10,8 @@ void view_open(struct view *view)
 {
     memset(view, 0, sizeof *view);
     stage_open(&view->stage);
-    segments_begin(&view->segments, &view->stage, SEGMENTS_BYTES_MOST);
+    segments_begin(&view->segments, &view->stage, LIGHT_PEN_LOW - STAGE_FREE_LOW);
+    light_pen_begin(&view->light_pen, STAGE_FREE_LOW);
     view_menu(view);
     view_cursor(view);
     view->settings = UINT32_MAX;
@@ -118,6 +119,8 @@ static void draw_all(struct view *view, const struct tools *t)
     stage_title(&view->stage, title);
     stage_caption(&view->stage, menu_hint(t->tool));
     segments_draw(&view->segments);
+    if (view->light_pen.used)
+        stage_chain(&view->stage, LIGHT_PEN_LOW); /* which leads on to the segments */
     stage_end(&view->stage);
 }
 

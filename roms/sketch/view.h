@@ -8,12 +8,13 @@
  *             yellow; marks tell lines that are kept horizontal or vertical.
  * Time:       a picture a retrace at most: view_show waits for it.
  * Units:      stage units.
- * Ownership:  plain value, one for the program: it has the stage.
+ * Ownership:  one for the program, which must not move (light_pen.h): it has the stage.
  * Errors:     what finds no room in display memory stays as it was, and `full` is set.
  */
 #ifndef ROMS_SKETCH_VIEW_H
 #define ROMS_SKETCH_VIEW_H
 
+#include "roms/sketch/light_pen.h"
 #include "roms/sketch/menu.h"
 #include "roms/stage/segments.h"
 
@@ -27,6 +28,7 @@ enum {
 struct view {
     struct stage stage;
     struct segments segments;
+    struct light_pen light_pen;
     bool full; /* not all of the drawing is shown */
     /* What is shown. */
     enum command tool;
