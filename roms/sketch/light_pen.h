@@ -17,7 +17,7 @@ enum { LIGHT_PEN_LOW = STAGE_FREE_HIGH - TRACKING_BYTES };
 
 struct light_pen {
     struct tracking tracking;
-    bool used; /* the picture is to go through its words */
+    bool used;     /* the picture is to go through its words */
     uint32_t seen; /* ticks, modulo 2^32: when it was last followed, or its tip pressed */
 };
 

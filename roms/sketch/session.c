@@ -136,6 +136,12 @@ static bool choose(struct session *s, enum command chosen)
     return chosen != COMMAND_NONE;
 }
 
+/* Keys that are held: steps go on, but nothing is switched on and off. */
+static bool repeats(enum command chosen)
+{
+    return chosen >= COMMAND_TURN_LEFT && chosen <= COMMAND_REDO;
+}
+
 static bool take_keys(struct session *s)
 {
     struct key_event key;
@@ -143,8 +149,10 @@ static bool take_keys(struct session *s)
     while (key_take(&key)) {
         s->shift = key.code == KEYCODE_SHIFT ? !key.up : (key.modifiers & KEYMOD_SHIFT) != 0;
         any = true;
-        if (!key.up && key.code != KEYCODE_SHIFT)
-            choose(s, menu_key(&key));
+        bool modifier = key.code >= KEYCODE_SHIFT && key.code <= KEYCODE_SUPER;
+        enum command chosen = menu_key(&key);
+        if (!key.up && !modifier && (!key.repeat || repeats(chosen)))
+            choose(s, chosen);
     }
     return any;
 }

@@ -16,6 +16,7 @@ void view_open(struct view *view)
     view_cursor(view);
     view->settings = UINT32_MAX;
     view->tool = COMMAND_NONE;
+    view->hot = -1;
 }
 
 void view_say(struct view *view, const char *text)
@@ -68,6 +69,24 @@ static bool is_stale(const struct view *view, const struct tools *t, int i, bool
            (f->kind == FIGURE_COPY && d->fresh_masters);
 }
 
+/* Of tools that pick, before the press. */
+static int hot_figure(const struct tools *t, bool near)
+{
+    bool picks = t->tool >= COMMAND_MOVE && t->tool != COMMAND_COPY;
+    return picks && near && t->phase == PHASE_IDLE ? t->cursor.figure : -1;
+}
+
+static void note_hot(struct view *view, int hot)
+{
+    if (view->hot == hot)
+        return;
+    if (view->hot >= 0)
+        view->stale[view->hot / VIEW_GROUP] = true;
+    if (hot >= 0)
+        view->stale[hot / VIEW_GROUP] = true;
+    view->hot = hot;
+}
+
 static void note_changes(struct view *view, struct tools *t)
 {
     bool under_way = t->phase == PHASE_PLACING || (t->phase == PHASE_MOVING && t->moved);
@@ -95,12 +114,15 @@ static uint32_t settings_of(const struct tools *t)
 static void bring_up_to_date(struct view *view, struct tools *t, bool near)
 {
     uint32_t settings = settings_of(t), changed = settings ^ view->settings;
+    int fullness = drawing_fullness(&t->drawing.now);
     note_changes(view, t);
-    view->settings = settings;
+    note_hot(view, hot_figure(t, near));
     if (changed >> 8 != 0)
         view_grid(view, t);
-    if (changed != 0)
+    if (changed != 0 || fullness != view->fullness)
         view_marks(view, t);
+    view->settings = settings;
+    view->fullness = fullness;
     for (int i = 0; i < VIEW_GROUPS; i++)
         if (view->stale[i])
             view_group(view, t, i);

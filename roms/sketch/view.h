@@ -5,7 +5,7 @@
  *
  * Models:     each segment is made under another name and takes the old one's, so that no refresh is
  *             without it. Figures are green, those of copies cyan, selected ones bright, moving ones
- *             yellow; marks tell lines that are kept horizontal or vertical.
+ *             yellow, what is pointed at orange; marks tell lines that are kept horizontal or vertical.
  * Time:       a picture a retrace at most: view_show waits for it.
  * Units:      stage units.
  * Ownership:  one for the program, which must not move (light_pen.h): it has the stage.
@@ -34,6 +34,7 @@ struct view {
     enum command tool;
     int picture;
     uint32_t settings; /* of the grid and of marks in the menu */
+    int fullness, hot; /* figure that is pointed at; -1: none */
     bool selected[DRAWING_FIGURES], moving[DRAWING_FIGURES], stale[VIEW_GROUPS];
     char status[VIEW_STATUS][VIEW_STATUS_TEXT + 1];
     struct snapped cursor;

@@ -64,6 +64,7 @@ static void mark(struct view *view, enum ink ink, enum command command)
 
 void view_marks(struct view *view, const struct tools *tools)
 {
+    char store[16];
     view_renew(view);
     if (tools->grid_shown)
         mark(view, INK_GREEN, COMMAND_GRID);
@@ -74,6 +75,8 @@ void view_marks(struct view *view, const struct tools *tools)
     if (tools->upright)
         mark(view, INK_GREEN, COMMAND_UPRIGHT);
     mark(view, INK_YELLOW, tools->tool);
+    snprintf(store, sizeof store, "store %3d%%", drawing_fullness(&tools->drawing.now));
+    put_text(view, INK_CYAN, MENU_LEFT, 4, store);
     view_renewed(view, NAME_MARKS);
 }
 
@@ -165,10 +168,10 @@ static void say_band(const struct tools *tools, char text[VIEW_STATUS_TEXT + 1])
 void view_status(struct view *view, const struct tools *tools)
 {
     static const char *const kinds[] = {[SNAP_NONE] = "",
-                                        [SNAP_GRID] = "grid",
-                                        [SNAP_LINE] = "line",
-                                        [SNAP_CIRCLE] = "circle",
-                                        [SNAP_POINT] = "point"};
+                                        [SNAP_GRID] = "to the grid",
+                                        [SNAP_LINE] = "to a line",
+                                        [SNAP_CIRCLE] = "to a circle",
+                                        [SNAP_POINT] = "to a point"};
     static const float columns[VIEW_STATUS] = {0, 405, 670};
     char text[VIEW_STATUS][VIEW_STATUS_TEXT + 1], x[12], y[12];
     struct place at = tools->cursor.at;
@@ -176,8 +179,7 @@ void view_status(struct view *view, const struct tools *tools)
     snprintf(text[0], sizeof text[0], "%-10s %6s %5s", menu_tool(tools->tool), tenths(x, at.x),
              tenths(y, at.y));
     say_band(tools, text[1]);
-    snprintf(text[2], sizeof text[2], "%-6s %3d%%", kinds[tools->cursor.kind],
-             drawing_fullness(&tools->drawing.now));
+    snprintf(text[2], sizeof text[2], "%s", kinds[tools->cursor.kind]);
     if (memcmp(text, view->status, sizeof text) == 0)
         return;
     memcpy(view->status, text, sizeof text);

@@ -118,10 +118,13 @@ static void take(void *ctx, const struct stroke *stroke)
 
 static enum ink ink_of(const struct view *view, const struct figure *f, int i)
 {
-    return view->moving[i]          ? INK_YELLOW
-           : view->selected[i]      ? INK_BRIGHT
-           : f->kind == FIGURE_COPY ? INK_CYAN
-                                    : INK_GREEN;
+    if (view->moving[i])
+        return INK_YELLOW;
+    if (view->hot == i)
+        return INK_ORANGE;
+    if (view->selected[i])
+        return INK_BRIGHT;
+    return f->kind == FIGURE_COPY ? INK_CYAN : INK_GREEN;
 }
 
 static bool is_shown(const struct tools *tools, int i)
