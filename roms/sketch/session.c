@@ -159,9 +159,11 @@ static bool take_keys(struct session *s)
 
 static bool take_console(struct session *s)
 {
-    if (s->loading)
+    if (s->loading) {
         load(s);
-    int byte = s->loading ? -1 : console_poll();
+        return !s->loading;
+    }
+    int byte = console_poll();
     return byte >= 0 && choose(s, menu_letter((unsigned)byte));
 }
 

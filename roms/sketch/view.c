@@ -98,6 +98,9 @@ static void note_changes(struct view *view, struct tools *t)
         view->selected[i] = t->selection.figure[i];
         view->moving[i] = moving;
     }
+    for (int i = 0; i < VIEW_GROUPS; i++) /* a step may have made room */
+        view->stale[i] |= view->lacking[i] && view->step != t->undo.now;
+    view->step = t->undo.now;
     view->picture = t->picture;
     memset(t->drawing.fresh_point, 0, sizeof t->drawing.fresh_point);
     memset(t->drawing.fresh_figure, 0, sizeof t->drawing.fresh_figure);
@@ -126,6 +129,8 @@ static void bring_up_to_date(struct view *view, struct tools *t, bool near)
     for (int i = 0; i < VIEW_GROUPS; i++)
         if (view->stale[i])
             view_group(view, t, i);
+    for (int i = 0; i < VIEW_GROUPS; i++)
+        view->full |= view->lacking[i];
     view_band(view, t, near);
     view_status(view, t);
 }

@@ -9,7 +9,8 @@
  * Time:       a picture a retrace at most: view_show waits for it.
  * Units:      stage units.
  * Ownership:  one for the program, which must not move (light_pen.h): it has the stage.
- * Errors:     what finds no room in display memory stays as it was, and `full` is set.
+ * Errors:     groups of figures that find no room in display memory are not shown, and `full` is set;
+ *             they are tried again after each step.
  */
 #ifndef ROMS_SKETCH_VIEW_H
 #define ROMS_SKETCH_VIEW_H
@@ -35,7 +36,9 @@ struct view {
     int picture;
     uint32_t settings; /* of the grid and of marks in the menu */
     int fullness, hot; /* figure that is pointed at; -1: none */
-    bool selected[DRAWING_FIGURES], moving[DRAWING_FIGURES], stale[VIEW_GROUPS];
+    bool selected[DRAWING_FIGURES], moving[DRAWING_FIGURES];
+    bool stale[VIEW_GROUPS], lacking[VIEW_GROUPS]; /* to be made anew; not shown for want of room */
+    uint32_t step;                                 /* of the history */
     char status[VIEW_STATUS][VIEW_STATUS_TEXT + 1];
     struct snapped cursor;
     struct place band_to;

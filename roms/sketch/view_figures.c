@@ -4,6 +4,8 @@
 #include "roms/sketch/view_parts.h"
 
 enum { MARK_LENGTH = 14, MARK_OFF = 9, MARK_APART = 4 };
+/* For what is no figure: grid, menu, rubber band, status. */
+enum { SPARE_BYTES = 3000, SPARE_RECORDS = 200 };
 
 static const struct clip_window area = {0, AREA_BOTTOM, AREA_RIGHT, AREA_TOP};
 
@@ -13,15 +15,35 @@ struct pen {
     struct point2 at[SEGMENT_POINTS];
     int count;
     enum ink ink;
-    bool full;
+    float units;    /* head units a stage unit */
+    uint32_t bytes; /* of display memory, that there is room for */
+    int records;
+    bool full; /* something was left out */
 };
+
+/* Short vectors take one word, long ones two; a place and two mode words before them. */
+static uint32_t bytes_of(const struct pen *pen)
+{
+    uint32_t bytes = 8;
+    for (int i = 1; i < pen->count; i++) {
+        float x = fabsf(pen->at[i].x - pen->at[i - 1].x),
+              y = fabsf(pen->at[i].y - pen->at[i - 1].y);
+        bytes += scalar_max(x, y) * pen->units < 63 ? 2 : 4;
+    }
+    return bytes;
+}
 
 static void flush(struct pen *pen)
 {
+    uint32_t bytes = bytes_of(pen);
+    int records = (pen->count + SEGMENT_RECORD_POINTS - 1) / SEGMENT_RECORD_POINTS;
     pen->segments->ink = pen->ink;
-    if (pen->count > 1 &&
-        segment_put(pen->segments, SEGMENT_POLYLINE, pen->at, pen->count) != SEGMENT_OK)
-        pen->full = true;
+    pen->full |= pen->count > 1 && (bytes > pen->bytes || records > pen->records);
+    if (pen->count > 1 && !pen->full) {
+        segment_put(pen->segments, SEGMENT_POLYLINE, pen->at, pen->count);
+        pen->bytes -= bytes;
+        pen->records -= records;
+    }
     pen->count = 0;
 }
 
@@ -96,6 +118,8 @@ static void take(void *ctx, const struct stroke *stroke)
 {
     struct pen *pen = ctx;
     float begin, sweep;
+    if (pen->full)
+        return;
     unsigned constraint = pen->tools->drawing.now.figure[stroke->figure].constraint;
     switch (stroke->kind) {
     case FIGURE_LINE:
@@ -141,16 +165,35 @@ static bool is_empty(const struct tools *tools, int group)
     return true;
 }
 
-void view_group(struct view *view, const struct tools *tools, int group)
+/* ---- groups ---------------------------------------------------------------------------------- */
+
+/* What figures may take of display memory; words that are just being left count as free. */
+static uint32_t budget(const struct segments *s)
+{
+    uint32_t free = free_store_total(&s->free);
+    for (int i = 0; i < s->leaving_count; i++)
+        free += s->leaving[i].size;
+    return free > SPARE_BYTES ? free - SPARE_BYTES : 0;
+}
+
+static int free_records(const struct segments *s)
+{
+    int count = 0;
+    for (int i = s->free_record; i >= 0; i = s->record[i].next)
+        count++;
+    return count > SPARE_RECORDS ? count - SPARE_RECORDS : 0;
+}
+
+/* Into a segment that is open then; false: not all of it, for want of room. */
+static bool build(struct view *view, const struct tools *tools, int group)
 {
     static struct pen pen;
     const struct drawing_state *s = &tools->drawing.now;
-    view->stale[group] = false;
-    if (is_empty(tools, group)) {
-        segment_delete(&view->segments, NAME_GROUP + group);
-        return;
-    }
-    pen = (struct pen){.segments = &view->segments, .tools = tools};
+    pen = (struct pen){.segments = &view->segments,
+                       .tools = tools,
+                       .units = view->stage.units,
+                       .bytes = budget(&view->segments),
+                       .records = free_records(&view->segments)};
     view_renew(view);
     for (int i = group * VIEW_GROUP; i < (group + 1) * VIEW_GROUP; i++) {
         const struct figure *f = &s->figure[i];
@@ -162,6 +205,22 @@ void view_group(struct view *view, const struct tools *tools, int group)
         expand_figure(s, i, take, &pen);
     }
     flush(&pen);
-    view->full |= pen.full;
-    view->stale[group] = !view_renewed(view, NAME_GROUP + group) || pen.full;
+    return !pen.full;
+}
+
+void view_group(struct view *view, const struct tools *tools, int group)
+{
+    int name = NAME_GROUP + group;
+    view->stale[group] = view->lacking[group] = false;
+    if (is_empty(tools, group)) {
+        segment_delete(&view->segments, name);
+        return;
+    }
+    bool built = build(view, tools, group);
+    if (!built) { /* without the old one there may be room */
+        segment_delete(&view->segments, NAME_NEW);
+        segment_delete(&view->segments, name);
+        built = build(view, tools, group);
+    }
+    view->lacking[group] = !view_renewed(view, name) || !built;
 }
