@@ -292,7 +292,9 @@ static void test_a_box_takes_what_lies_in_it(void **state)
     tools_command(&t, COMMAND_SELECT);
     drag(60, 100, 500, 300); /* the first line, not the second */
     assert_int_equal(t.selection.count, 1);
-    drag(110, 430, 300, 700); /* the circle reaches to 120 */
+    drag(130, 430, 300, 700); /* the circle reaches to 120 */
+    assert_int_equal(t.selection.count, 1);
+    drag(110, 430, 300, 700);
     assert_int_equal(t.selection.count, 2);
     tools_command(&t, COMMAND_MOVE);
     drag(80, 120, 120, 160); /* what is selected goes together */
