@@ -1,10 +1,11 @@
 /* sketch — a drawing program: Sketchpad's, on both heads, with whatever points.
  *
- *      kinescope run roms/sketch.elf                          the mouse is tablet, finger, pen: F9
+ *      kinescope run roms/sketch.elf                          F9: the mouse is stylus, finger, pen
+ *      kinescope run roms/sketch.elf --console                Save prints here; Load reads from here
  *      kinescope capture roms/sketch.elf --input roms/sketch.script --at 30s -o sketch.png
  *
- * Keys are the letters before the words of the menu. Save prints the drawing on the console; Load reads
- * such text from it (text.h).
+ * Keys are the letters before the words of the menu; on the console the same letters do the same. The
+ * text that Save prints and Load reads: text.h.
  */
 #include "roms/sketch/session.h"
 

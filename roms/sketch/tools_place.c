@@ -206,7 +206,8 @@ void copy_renew(struct tools *t)
 void copy_point(struct tools *t)
 {
     const struct pointing *p = &t->pointing;
-    if (!p->inside && !p->pressed) {
+    bool carries = p->pressed && t->phase == PHASE_PLACING;
+    if (!p->inside && !carries) {
         tools_leave_off(t);
         return;
     }

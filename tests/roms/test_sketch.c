@@ -430,61 +430,73 @@ static void collect(void *ctx, const struct stroke *stroke)
         t->stroke[t->count++] = *stroke;
 }
 
-/* Defining shows what was there before; then, a copy of a copy, against complex numbers. */
+/* By complex numbers, in double precision: where the copies put a place of the subpicture. */
+static void slow_place(const int copy[2], const int master[2], double *x, double *y)
+{
+    for (int level = 0; level < 2; level++) {
+        const struct figure *f = &drawing.now.figure[copy[level]];
+        struct place at = drawing.now.point[f->end[0]].at;
+        struct place origin = drawing.now.master[master[level]].origin;
+        double s = f->scale / 1000.0, a = f->angle / 18000.0 * acos(-1);
+        double dx = *x - origin.x / 100.0, dy = *y - origin.y / 100.0;
+        *x = at.x / 100.0 + s * (cos(a) * dx - sin(a) * dy);
+        *y = at.y / 100.0 + s * (sin(a) * dx + cos(a) * dy);
+    }
+}
+
+static void turn_and_scale(int copy)
+{
+    drawing.now.figure[copy].scale = 200 + (int32_t)below(2000);
+    drawing.now.figure[copy].angle = (int32_t)below(ANGLE_TURN);
+}
+
+static void assert_places(const struct taken *got, const struct taken *expected, float within)
+{
+    assert_int_equal(got->count, expected->count);
+    for (int i = 0; i < got->count; i++)
+        for (int k = 0; k < figure_ends(expected->stroke[i].kind); k++) {
+            assert_float_equal(got->stroke[i].at[k].x, expected->stroke[i].at[k].x, within);
+            assert_float_equal(got->stroke[i].at[k].y, expected->stroke[i].at[k].y, within);
+        }
+}
+
+/* Defining shows what was there before; then, a copy within a copy, both turned and scaled. */
 static void test_copies_show_what_they_are_copies_of(void **state)
 {
     (void)state;
+    static struct taken before, after;
     for (uint32_t round = 1; round <= 200; round++) {
-        static struct taken before, after;
-        bool selected[DRAWING_FIGURES] = {false};
+        bool selected[DRAWING_FIGURES] = {true, true, true, true};
         int master[2], copy[2];
         fresh_start(round * 13u);
         for (int i = 0; i < 6; i++)
             add_some(3);
-        for (int i = 0; i < 4; i++)
-            selected[i] = true;
         before.count = after.count = 0;
         for (int i = 0; i < 4; i++)
             expand_figure(&drawing.now, i, collect, &before);
         assert_int_equal(subpicture_define(&drawing, 0, selected, &master[0], &copy[0]),
                          DRAWING_OK);
         expand_figure(&drawing.now, copy[0], collect, &after);
-        assert_int_equal(after.count, 4);
-        for (int i = 0; i < 4; i++)
-            for (int k = 0; k < figure_ends(before.stroke[i].kind); k++) {
-                assert_float_equal(after.stroke[i].at[k].x, before.stroke[i].at[k].x, 0.001);
-                assert_float_equal(after.stroke[i].at[k].y, before.stroke[i].at[k].y, 0.001);
-            }
+        assert_places(&after, &before, 0.001f);
+
         memset(selected, 0, sizeof selected);
         selected[copy[0]] = true;
-        struct figure *f[2] = {&drawing.now.figure[copy[0]], NULL};
-        f[0]->scale = 200 + (int32_t)below(2000);
-        f[0]->angle = (int32_t)below(ANGLE_TURN);
+        turn_and_scale(copy[0]);
         assert_int_equal(subpicture_define(&drawing, 0, selected, &master[1], &copy[1]),
                          DRAWING_OK);
-        f[1] = &drawing.now.figure[copy[1]];
-        f[1]->scale = 200 + (int32_t)below(2000);
-        f[1]->angle = (int32_t)below(ANGLE_TURN);
-        drawing.now.point[f[1]->end[0]].at = somewhere();
-        after.count = 0;
-        expand_figure(&drawing.now, copy[1], collect, &after);
-        assert_int_equal(after.count, 4);
+        turn_and_scale(copy[1]);
+        drawing.now.point[drawing.now.figure[copy[1]].end[0]].at = somewhere();
         for (int i = 0; i < 4; i++)
             for (int k = 0; k < figure_ends(before.stroke[i].kind); k++) {
                 double x = (double)before.stroke[i].at[k].x, y = (double)before.stroke[i].at[k].y;
-                for (int level = 0; level < 2; level++) {
-                    struct place at = drawing.now.point[f[level]->end[0]].at;
-                    struct place origin = drawing.now.master[master[level]].origin;
-                    double s = f[level]->scale / 1000.0, a = f[level]->angle / 18000.0 * acos(-1);
-                    double dx = x - origin.x / 100.0, dy = y - origin.y / 100.0;
-                    x = at.x / 100.0 + s * (cos(a) * dx - sin(a) * dy);
-                    y = at.y / 100.0 + s * (sin(a) * dx + cos(a) * dy);
-                }
-                assert_float_equal(after.stroke[i].at[k].x, x, 0.01);
-                assert_float_equal(after.stroke[i].at[k].y, y, 0.01);
-                assert_true(after.stroke[i].inner);
-                assert_int_equal(after.stroke[i].figure, copy[1]);
+                slow_place(copy, master, &x, &y);
+                before.stroke[i].at[k] = (struct point2){(float)x, (float)y};
             }
+        after.count = 0;
+        expand_figure(&drawing.now, copy[1], collect, &after);
+        assert_places(&after, &before, 0.01f);
+        for (int i = 0; i < after.count; i++)
+            assert_true(after.stroke[i].inner && after.stroke[i].figure == copy[1]);
     }
 }
 
@@ -539,6 +551,64 @@ static void test_the_nearest_place_of_a_figure(void **state)
     }
 }
 
+struct nearest {
+    double point, line;
+};
+
+static void look_at(struct nearest *n, const struct stroke *s, struct point2 p)
+{
+    struct point2 on;
+    for (int end = 0; end < figure_ends(s->kind); end++)
+        n->point = fmin(n->point,
+                        away((double)p.x, (double)p.y, (double)s->at[end].x, (double)s->at[end].y));
+    n->line = fmin(n->line, (double)stroke_nearest(s, p, &on)); /* tested above */
+}
+
+/* Every figure, one after the other. */
+static struct nearest slow_nearest(struct point2 p)
+{
+    static struct taken all;
+    struct nearest n = {INFINITY, INFINITY};
+    for (int k = 0; k < DRAWING_FIGURES; k++) {
+        const struct figure *f = &drawing.now.figure[k];
+        if (f->kind == FIGURE_NONE || f->picture != 0)
+            continue;
+        struct place at = drawing_end_place(&drawing.now, k, 0);
+        n.point = fmin(n.point, away((double)p.x, (double)p.y, at.x / 100.0, at.y / 100.0));
+        all.count = 0;
+        expand_figure(&drawing.now, k, collect, &all);
+        for (int i = 0; i < all.count; i++)
+            look_at(&n, &all.stroke[i], p);
+    }
+    return n;
+}
+
+static void check_snapped(const struct snap_settings *settings, struct place at, struct snapped got,
+                          struct nearest n)
+{
+    double reach = settings->grid ? fmin(12, settings->spacing * 0.006) : 12;
+    double moved = away(at.x / 100.0, at.y / 100.0, got.at.x / 100.0, got.at.y / 100.0);
+    bool on_grid = got.at.x % settings->spacing == 0 && got.at.y % settings->spacing == 0;
+    if (fabs(n.point - reach) < 0.01 || (n.point > reach && fabs(n.line - reach) < 0.01))
+        return; /* too close to call */
+    if (n.point < reach) {
+        assert_int_equal(got.kind, SNAP_POINT);
+        assert_float_equal(moved, n.point, 0.02);
+    } else if (n.line < reach) {
+        assert_true(got.kind == SNAP_LINE || got.kind == SNAP_CIRCLE);
+        assert_true(fabs(moved - n.line) < 0.02 || (settings->grid && on_grid));
+    } else if (settings->grid) {
+        assert_int_equal(got.kind, SNAP_GRID);
+        assert_true(on_grid);
+        assert_true(abs(got.at.x - at.x) <= settings->spacing / 2);
+        assert_true(abs(got.at.y - at.y) <= settings->spacing / 2);
+    } else {
+        assert_int_equal(got.kind, SNAP_NONE);
+        assert_int_equal(got.at.x, at.x);
+        assert_int_equal(got.at.y, at.y);
+    }
+}
+
 /* Points before figures before the grid, and the nearest of each. */
 static void test_snapping_takes_the_nearest(void **state)
 {
@@ -550,54 +620,12 @@ static void test_snapping_takes_the_nearest(void **state)
     define_some();
     for (int i = 0; i < 20; i++)
         add_some(4);
-    static struct taken all;
-    all.count = 0;
     for (int i = 0; i < 4000; i++) {
-        struct snap_settings settings = {below(2), true, 1000 * (int32_t)(2 + below(6)), 12};
+        struct snap_settings settings = {below(2), true, 1000 * (int32_t)(1 + below(6)), 12};
         struct place at = somewhere();
-        struct point2 p = place_in_units(at), on;
         struct snapped got = snap(&drawing.now, 0, &settings, at, NULL);
-        double reach = settings.grid && settings.spacing < 2000 ? settings.spacing * 0.006 : 12;
-        double point = INFINITY, line = INFINITY;
-        for (int k = 0; k < DRAWING_FIGURES; k++) {
-            if (drawing.now.figure[k].kind == FIGURE_NONE || drawing.now.figure[k].picture != 0)
-                continue;
-            all.count = 0;
-            expand_figure(&drawing.now, k, collect, &all);
-            struct place origin = drawing_end_place(&drawing.now, k, 0);
-            double d = away((double)p.x, (double)p.y, origin.x / 100.0, origin.y / 100.0);
-            point = d < point ? d : point;
-            for (int j = 0; j < all.count; j++) {
-                const struct stroke *s = &all.stroke[j];
-                for (int end = 0; end < figure_ends(s->kind); end++) {
-                    d = away((double)p.x, (double)p.y, (double)s->at[end].x, (double)s->at[end].y);
-                    point = d < point ? d : point;
-                }
-                d = (double)stroke_nearest(s, p, &on); /* tested above */
-                line = d < line ? d : line;
-            }
-        }
-        double moved = away(at.x / 100.0, at.y / 100.0, got.at.x / 100.0, got.at.y / 100.0);
+        check_snapped(&settings, at, got, slow_nearest(place_in_units(at)));
         kinds[got.kind]++;
-        if (fabs(point - reach) < 0.01 || (point > reach && fabs(line - reach) < 0.01))
-            continue; /* too close to call */
-        if (point < reach) {
-            assert_int_equal(got.kind, SNAP_POINT);
-            assert_float_equal(moved, point, 0.02);
-        } else if (line < reach) {
-            assert_true(got.kind == SNAP_LINE || got.kind == SNAP_CIRCLE);
-            bool grid = got.at.x % settings.spacing == 0 && got.at.y % settings.spacing == 0;
-            assert_true(fabs(moved - line) < 0.02 || (settings.grid && grid));
-        } else if (settings.grid) {
-            assert_int_equal(got.kind, SNAP_GRID);
-            assert_int_equal(got.at.x % settings.spacing, 0);
-            assert_int_equal(got.at.y % settings.spacing, 0);
-            assert_true(abs(got.at.x - at.x) <= settings.spacing / 2);
-            assert_true(abs(got.at.y - at.y) <= settings.spacing / 2);
-        } else {
-            assert_int_equal(got.kind, SNAP_NONE);
-            assert_int_equal(got.at.x, at.x);
-        }
     }
     for (int i = 0; i < 5; i++)
         assert_true(kinds[i] > 20);
