@@ -6,7 +6,7 @@
 
 #include <cmocka.h>
 
-#include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "input/keyboard.h"
@@ -218,7 +218,9 @@ static void a_keyboard_without_a_console_is_no_trouble(void **state)
     rig_init(&rig, KEY_CONSOLE | KEY_STORE);
     rig.keyboard.desc.send = NULL;
     press_as(&rig, 'Q', 'q', 1);
+    assert_true(inp_keyboard_ready(&rig.keyboard));
     assert_int_equal(event(&rig), KEY_VALID | 'Q' << 8 | 'q');
+    assert_false(inp_keyboard_ready(&rig.keyboard));
 }
 
 /* ---- events ------------------------------------------------------------------------------------ */
@@ -550,6 +552,15 @@ static void names_are_found_again(void **state)
     for (size_t i = 0; i < sizeof none / sizeof *none; i++)
         assert_int_equal(inp_key_named(none[i], strlen(none[i])), 0);
     assert_int_equal(inp_key_named("F12", 2), KEYCODE_F1);
+    char name_of[8];
+    for (unsigned i = 0; i < 12; i++) {
+        snprintf(name_of, sizeof name_of, "F%u", i + 1);
+        assert_string_equal(inp_key_name((uint8_t)(KEYCODE_F1 + i)), name_of);
+    }
+    for (unsigned i = 0; i < 10; i++) {
+        snprintf(name_of, sizeof name_of, "PAD_%u", i);
+        assert_string_equal(inp_key_name((uint8_t)(KEYCODE_PAD_0 + i)), name_of);
+    }
     unsigned named = 0;
     for (unsigned code = 0; code < 256; code++) {
         const char *name = inp_key_name((uint8_t)code);

@@ -211,6 +211,11 @@ static void texts_are_typed(void **state)
     /* A shift that is held is not touched. */
     CHECK("key down SHIFT\ntype \"aB\" in 0", DOWN(0, KEYCODE_SHIFT, 0), DOWN(0, 'A', 'a'),
           UP(0, 'A'), DOWN(0, 'B', 'B'), UP(0, 'B'));
+    CHECK("key down SHIFT\nkey up SHIFT\ntype \"B\" in 0", DOWN(0, KEYCODE_SHIFT, 0),
+          UP(0, KEYCODE_SHIFT), DOWN(0, KEYCODE_SHIFT, 0), DOWN(0, 'B', 'B'), UP(0, 'B'),
+          UP(0, KEYCODE_SHIFT));
+    CHECK("key down CONTROL\ntype \"\\x03\" in 0", DOWN(0, KEYCODE_CONTROL, 0), DOWN(0, 'C', 3),
+          UP(0, 'C'));
     struct inp_script script;
     parse(&script, "type \"\"\nwait 1ms\ntype \"\" in 1ms");
     assert_int_equal(script.count, 0);
