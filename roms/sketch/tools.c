@@ -174,6 +174,9 @@ static void choose(struct tools *t, enum command tool)
         return;
     }
     t->tool = tool;
+    if (tool == COMMAND_COPY)
+        snprintf(t->message, sizeof t->message,
+                 "Copies of subpicture %c. Copy again: the next subpicture.", 'A' + t->master - 1);
 }
 
 static void define(struct tools *t)
@@ -274,6 +277,17 @@ static void say_whether(struct tools *t, const char *what, bool on)
     snprintf(t->message, sizeof t->message, "%s %s.", what, on ? "on" : "off");
 }
 
+static void space(struct tools *t, bool wider)
+{
+    int32_t *spacing = &t->snap.spacing;
+    if (wider && *spacing < SPACING_MOST)
+        *spacing *= 2;
+    else if (!wider && *spacing > SPACING_LEAST)
+        *spacing /= 2;
+    snprintf(t->message, sizeof t->message, "The grid's places are %ld apart.",
+             (long)(*spacing / PLACE_UNIT));
+}
+
 static void set(struct tools *t, enum command command)
 {
     struct snap_settings *s = &t->snap;
@@ -285,10 +299,8 @@ static void set(struct tools *t, enum command command)
         say_whether(t, "Points and lines attract:", s->gravity = !s->gravity);
     else if (command == COMMAND_UPRIGHT)
         say_whether(t, "New lines horizontal or vertical, and kept so:", t->upright = !t->upright);
-    else if (command == COMMAND_WIDER && s->spacing < SPACING_MOST)
-        s->spacing *= 2;
-    else if (command == COMMAND_NARROWER && s->spacing > SPACING_LEAST)
-        s->spacing /= 2;
+    else
+        space(t, command == COMMAND_WIDER);
 }
 
 static void escape(struct tools *t)
@@ -303,11 +315,14 @@ void tools_command(struct tools *t, enum command command)
 {
     bool keeps = command >= COMMAND_GRID && command < COMMAND_ESCAPE;
     keeps |= command >= COMMAND_TURN_LEFT && command <= COMMAND_SMALLER;
+    bool under_way = t->phase != PHASE_IDLE && t->tool != COMMAND_COPY;
     t->message[0] = '\0';
     if (command == COMMAND_ESCAPE)
         escape(t);
     if (!keeps)
         tools_leave_off(t);
+    if (command == COMMAND_UNDO && under_way)
+        return; /* that is what was taken back */
     if (command < COMMAND_TOOLS)
         choose(t, command);
     else if (command == COMMAND_DEFINE)

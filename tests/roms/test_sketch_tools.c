@@ -144,6 +144,21 @@ static void test_escape_leaves_nothing(void **state)
     }
 }
 
+/* Undo takes back what is under way, and only then what was done before. */
+static void test_undo_while_something_is_under_way(void **state)
+{
+    (void)state;
+    setup_tools();
+    drag(80, 120, 320, 280);
+    tap(400, 400);
+    point(480, 480, false, false);
+    assert_int_equal(figures(FIGURE_LINE), 2);
+    tools_command(&t, COMMAND_UNDO);
+    assert_int_equal(figures(FIGURE_LINE), 1);
+    tools_command(&t, COMMAND_UNDO);
+    assert_int_equal(figures(FIGURE_LINE), 0);
+}
+
 /* Tools of one press alone: nothing comes of it. */
 static void test_a_press_where_it_began_draws_nothing(void **state)
 {
@@ -428,6 +443,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_dragging_and_pressing_twice_are_the_same),
         cmocka_unit_test(test_escape_leaves_nothing),
+        cmocka_unit_test(test_undo_while_something_is_under_way),
         cmocka_unit_test(test_a_press_where_it_began_draws_nothing),
         cmocka_unit_test(test_ends_are_shared),
         cmocka_unit_test(test_a_chain_closes),
