@@ -48,7 +48,9 @@ static void radius_text(char *text, size_t size, float curvature)
 static void centre(char out[LINE], const char *text)
 {
     int length = (int)strlen(text), left = (LINE - 1 - length) / 2;
-    snprintf(out, LINE, "%*s%-*s", left, "", LINE - 1 - left, text);
+    memset(out, ' ', LINE - 1);
+    memcpy(out + left, text, (size_t)length);
+    out[LINE - 1] = '\0';
 }
 
 static void caption(const struct editor *e, const struct curve *c, struct stage *s)
