@@ -17,7 +17,7 @@ static void title(const struct session *s, struct stage *stage)
 
 static void caption(const struct session *s, struct stage *stage)
 {
-    char text[80];
+    char text[96];
     if (s->facts.kind == TABLET_NONE)
         stage_caption(stage, "There is no tablet.");
     else if (s->typing) {
