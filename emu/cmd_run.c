@@ -4,13 +4,14 @@
 
 #include "emu/command.h"
 #include "emu/headless.h"
+#include "emu/out_file.h"
 #include "emu/roms.h"
 #include "emu/show.h"
 #include "emu/view.h"
 
 struct options {
     bool headless, console, full_screen, gdb_anywhere, tour;
-    const char *gdb;
+    const char *gdb, *record;
     struct vm_time length;
     struct vm_size size;
     double scale;
@@ -47,6 +48,11 @@ static const struct vm_option rows[] = {
     {"size", 0, VM_OPT_SIZE, ROW(size), "WxH", "size of the window; default fits the monitor", 0,
      0},
     {"full-screen", 0, VM_OPT_FLAG, ROW(full_screen), "", "begin on the full screen", 0, 0},
+    {"record", 0, VM_OPT_STRING, ROW(record), "FILE",
+     "write what is done with mouse and keys in the window, and by --input, as a script that "
+     "--input "
+     "does again, to the same bytes",
+     0, 0},
     {"tour", 0, VM_OPT_FLAG, ROW(tour), "", "a tour through the programs that come along", 0, 0},
 };
 
@@ -85,7 +91,8 @@ static int debuggable_headless(const struct options *o, const char *path,
                                const struct vm_settings *settings, const struct vm_input *input,
                                struct crt_error *err)
 {
-    struct vm_headless headless = {.console = o->console, .length = o->length, .saved = o->saved};
+    struct vm_headless headless = {
+        .console = o->console, .length = o->length, .saved = o->saved, .record = o->record};
     int status;
     if (!has_use(o, input, err))
         return VM_EXIT_USAGE;
@@ -156,7 +163,8 @@ static int run_window(const struct options *o, const char *path)
                                 .scale = o->scale,
                                 .length = o->length,
                                 .console = o->console,
-                                .saved = &o->saved};
+                                .saved = &o->saved,
+                                .record = o->record};
     err.text[0] = '\0';
     if (open_gdb(o, path, &desc.gdb, &status, &err))
         status = vm_show(&desc, &err);
@@ -188,6 +196,9 @@ static int run(int argc, char **argv)
                  args.count ? "FILE" : "--headless");
         return fail(VM_EXIT_USAGE, &err);
     }
+    if (o.record && (!vm_out_check(o.record, &err) ||
+                     (o.input.script && !vm_out_spares(o.record, o.input.script, &err))))
+        return fail(VM_EXIT_TROUBLE, &err);
     if (!vm_input_check(&o.input, &err))
         return fail(VM_EXIT_USAGE, &err);
     char monitor[4096 + 16];
@@ -220,6 +231,8 @@ const struct vm_command vm_command_run = {
     "  kinescope run roms/hello.elf --headless --console\n"
     "  kinescope run roms/clock.elf --gdb 127.0.0.1:1234\n"
     "  kinescope run roms/clock.elf --headless --for 5s --save-state clock.state\n"
+    "  kinescope run roms/sketch.elf --record drawing.script\n"
+    "  kinescope run roms/sketch.elf --headless --input drawing.script --for 60s\n"
     "  echo hello | kinescope run roms/hello.elf --headless --console --for 5s",
     run,
 };

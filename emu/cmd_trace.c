@@ -26,16 +26,17 @@ struct options {
 #define ROW(field) offsetof(struct options, field)
 
 static const struct vm_option rows[] = {
-    {"what", 0, VM_OPT_CHOICE, ROW(what), "dpu|beam|cpu|irq|video",
+    {"what", 0, VM_OPT_CHOICE, ROW(what), "dpu|beam|cpu|irq|video|input",
      "dpu: a line per word executed (default); beam: a line per piece of lit beam, the .beam "
      "format; "
      "cpu: a line per instruction with its effect; irq: a line per change of an interrupt line, "
      "and "
-     "per interrupt taken; video: sync pulses, rows of the picture and what is taken at retrace",
+     "per interrupt taken; video: sync pulses, rows of the picture and what is taken at retrace; "
+     "input: what a person does (--input), and what the devices report",
      0, 0},
     {"for", 0, VM_OPT_TIME, ROW(length), "T",
      "trace this much simulated time; default: dpu one refresh, beam to the moment capture would "
-     "choose, cpu 1 ms, irq 0.5 s, video one frame",
+     "choose, cpu 1 ms, irq 0.5 s, video one frame, input to the end of the script",
      0, 0},
     {"from", 0, VM_OPT_TIME, ROW(from), "T",
      "begin to trace then; default power-on, of video when it is on", 0, 0},
@@ -63,9 +64,9 @@ static int fail(int status, const struct crt_error *err)
 
 static enum vm_trace_what what_of(const struct trace *t)
 {
-    static const char *const names[] = {"dpu", "beam", "cpu", "irq", "video"};
+    static const char *const names[] = {"dpu", "beam", "cpu", "irq", "video", "input"};
     int what = 0;
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < 6; i++)
         if (t->o.what && strcmp(t->o.what, names[i]) == 0)
             what = i;
     return (enum vm_trace_what)what;
@@ -85,6 +86,11 @@ static int default_end(struct trace *t, struct vm_rig *rig, uint64_t from, uint6
     if (what == VM_TRACE_VIDEO) {
         vm_machine_run(rig->machine, from);
         *end = from + vm_view_exposure(VM_VIEW_RASTER, rig->machine);
+        return VM_EXIT_OK;
+    }
+    if (what == VM_TRACE_INPUT) {
+        uint64_t last = t->input.script.end;
+        *end = (last > from ? last : from) + VM_SETTLED_PS;
         return VM_EXIT_OK;
     }
     if (what == VM_TRACE_CPU || what == VM_TRACE_IRQ) {
@@ -292,7 +298,7 @@ static int run(int argc, char **argv)
 
 const struct vm_command vm_command_trace = {
     "trace",
-    "FILE [--what dpu|beam|cpu|irq|video]",
+    "FILE [--what dpu|beam|cpu|irq|video|input]",
     "Print what the machine does, one line per event",
     "dpu <time_ps> DPC=oooooo WORD=oooooo MPR=oooooo XPR=oooooo YPR=oooooo: a word, fetched at "
     "that time "
@@ -305,6 +311,7 @@ const struct vm_command vm_command_trace = {
     "  kinescope trace roms/growing.df --summary --for 10s\n"
     "  kinescope trace roms/rose.df --what beam -o rose.beam\n"
     "  kinescope trace roms/hello.elf --what cpu | head\n"
-    "  kinescope trace roms/stops.elf --what irq --for 100ms",
+    "  kinescope trace roms/stops.elf --what irq --for 100ms\n"
+    "  kinescope trace roms/sketch.elf --what input --input roms/sketch.script",
     run,
 };

@@ -48,6 +48,15 @@ bool vm_console_type(struct vm_console *c, const char *bytes, size_t length, uin
     return true;
 }
 
+bool vm_console_key(struct vm_console *c, const char *bytes, size_t length)
+{
+    if (c->keyed_count + length > VM_CONSOLE_KEYED)
+        return false;
+    for (size_t i = 0; i < length; i++)
+        c->keyed[(c->keyed_first + c->keyed_count++) % VM_CONSOLE_KEYED] = (uint8_t)bytes[i];
+    return true;
+}
+
 void vm_console_close(struct vm_console *c)
 {
     c->ends = true;
@@ -55,6 +64,8 @@ void vm_console_close(struct vm_console *c)
 
 uint64_t vm_console_next(const struct vm_console *c, uint64_t ready)
 {
+    if (c->keyed_count > 0)
+        return ready;
     if (c->next < c->count) {
         uint64_t typed = c->queue[c->next].not_before;
         return typed > ready ? typed : ready;
@@ -66,8 +77,19 @@ uint64_t vm_console_next(const struct vm_console *c, uint64_t ready)
     return c->ends && !c->ended ? ready : UINT64_MAX;
 }
 
+bool vm_console_empty(const struct vm_console *c)
+{
+    return c->keyed_count == 0 && c->next == c->count;
+}
+
 int vm_console_take(struct vm_console *c, uint64_t t)
 {
+    if (c->keyed_count > 0) {
+        uint8_t byte = c->keyed[c->keyed_first];
+        c->keyed_first = (c->keyed_first + 1) % VM_CONSOLE_KEYED;
+        c->keyed_count--;
+        return byte;
+    }
     if (c->next == c->count && c->desc.source && !c->exhausted) {
         int byte = c->desc.source(c->desc.ctx);
         if (byte < 0)
@@ -130,15 +152,31 @@ void vm_console_print(struct vm_console *c, uint8_t byte, uint64_t t)
         c->desc.sink(c->desc.ctx, byte, t);
 }
 
+/* The ring from its first byte on. */
+static void keyed_state(struct vm_console *c, struct crt_state *s)
+{
+    uint8_t bytes[VM_CONSOLE_KEYED];
+    for (unsigned i = 0; i < c->keyed_count && !s->loading; i++)
+        bytes[i] = c->keyed[(c->keyed_first + i) % VM_CONSOLE_KEYED];
+    crt_state_unsigned(s, &c->keyed_count, VM_CONSOLE_KEYED);
+    crt_state_bytes(s, bytes, s->failed ? 0 : c->keyed_count);
+    if (!s->loading)
+        return;
+    c->keyed_first = 0;
+    c->keyed_count = s->failed ? 0 : c->keyed_count;
+    memcpy(c->keyed, bytes, c->keyed_count);
+}
+
 void vm_console_state(struct vm_console *c, struct crt_state *s)
 {
-    crt_state_begin(s, "CONS", 1);
+    crt_state_begin(s, "CONS", 2);
     size_t next = c->next;
     crt_state_size(s, &next, SIZE_MAX);
     crt_state_bool(s, &c->ended);
     crt_state_u64(s, &c->sent);
     crt_state_u64(s, &c->last);
     crt_state_bool(s, &c->in_line);
+    keyed_state(c, s);
     crt_state_check(s, c->last < CRT_STATE_LATEST, "time of the console");
     crt_state_end(s);
     if (!s->loading || s->failed)

@@ -1,5 +1,7 @@
 #include "emu/headless.h"
 
+#include "emu/record.h"
+
 #include <stdio.h>
 
 #include "emu/command.h"
@@ -215,6 +217,8 @@ static bool play(const struct vm_headless *h, struct vm_rig *rig, const struct v
     part(&r);
     if (ok && !h->console && !h->gdb)
         say_speed(rig, input, &b, vm_host_seconds() - begin);
+    if (ok && h->record)
+        ok = vm_record_save(h->record, rig->machine, input->name, err);
     *left = terminal.left || (h->gdb && vm_gdb_killed(h->gdb));
     return ok;
 }
@@ -226,6 +230,8 @@ int vm_headless(const struct vm_headless *h, const struct vm_settings *settings,
     bool left = false;
     uint64_t length = input->has_firmware ? FOR_EVER_PS : DISPLAY_FILE_PS;
     int status;
+    if (!input->has_firmware && input->script.end > length)
+        length = input->script.end;
     if (h->length.given && !vm_time_ps(&h->length, settings->tick, &length, err))
         return VM_EXIT_USAGE;
     if (!open_rig(h, settings, input, &rig, err))

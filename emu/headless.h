@@ -24,6 +24,7 @@ struct vm_headless {
     struct vm_time length;
     struct vm_gdb *gdb; /* a debugger may come here; NULL: none */
     struct vm_saved_options saved;
+    const char *record; /* file for what was done; NULL: none */
 };
 
 int vm_headless(const struct vm_headless *headless, const struct vm_settings *settings,

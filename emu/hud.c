@@ -20,7 +20,7 @@
 #define HELP_PAD      10 /* dots */
 #define PANEL_ALPHA   190
 
-enum { STATUS, MESSAGE, HELP, PANELS };
+enum { STATUS, MESSAGE, HELP, RING, PANELS };
 
 struct vm_hud {
     struct vm_canvas canvas;
@@ -28,7 +28,8 @@ struct vm_hud {
     struct vm_colour ink;
     char status[TEXT_MAX], message[TEXT_MAX];
     double message_end;
-    int message_level; /* FADE_LEVELS = opaque, 0 = gone; as drawn */
+    int message_level;                  /* FADE_LEVELS = opaque, 0 = gone; as drawn */
+    double ring_x, ring_y, ring_radius; /* radius 0: none */
     bool help_shown;
     char *help[HELP_MAX];
     size_t help_count;
@@ -97,6 +98,16 @@ void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_
             break;
         hud->help_count++;
     }
+}
+
+void vm_hud_ring(struct vm_hud *hud, double x, double y, double radius)
+{
+    bool same =
+        radius == hud->ring_radius && (radius == 0 || (x == hud->ring_x && y == hud->ring_y));
+    hud->stale |= !same;
+    hud->ring_x = x;
+    hud->ring_y = y;
+    hud->ring_radius = radius;
 }
 
 bool vm_hud_help_shown(const struct vm_hud *hud)
@@ -275,6 +286,33 @@ static void draw_help(struct vm_hud *hud)
     }
 }
 
+/* ---- ring --------------------------------------------------------------------------------------- */
+
+#define RING_WIDTH 1.6   /* pixels */
+#define RING_MOST  400.0 /* pixels: a larger one is drawn so large */
+
+/* Smooth edges: each pixel is covered as far as its centre is from the middle of the line. */
+static void draw_ring(struct vm_hud *hud)
+{
+    double r = fmin(hud->ring_radius, RING_MOST), reach = r + RING_WIDTH + 1;
+    int left = (int)fmax(floor(hud->ring_x - reach), 0);
+    int top = (int)fmax(floor(hud->ring_y - reach), 0);
+    int right = smaller((int)ceil(hud->ring_x + reach), hud->canvas.width);
+    int bottom = smaller((int)ceil(hud->ring_y + reach), hud->canvas.height);
+    if (right <= left || bottom <= top)
+        return;
+    for (int y = top; y < bottom; y++)
+        for (int x = left; x < right; x++) {
+            double away = fabs(hypot(x + 0.5 - hud->ring_x, y + 0.5 - hud->ring_y) - r);
+            double cover = fmin(fmax(RING_WIDTH / 2 + 0.5 - away, 0), 1);
+            struct vm_colour ink = hud->ink;
+            ink.a = (uint8_t)(200 * cover);
+            if (ink.a > 0)
+                vm_canvas_fill(&hud->canvas, (struct vm_box){x, y, 1, 1}, ink);
+        }
+    hud->drawn[RING] = (struct vm_box){left, top, right - left, bottom - top};
+}
+
 /* ---- all of it ------------------------------------------------------------------------------- */
 
 static void redraw(struct vm_hud *hud)
@@ -285,6 +323,8 @@ static void redraw(struct vm_hud *hud)
         hud->drawn[i] = (struct vm_box){0, 0, 0, 0};
     }
     int bottom = hud->canvas.height;
+    if (hud->ring_radius > 0)
+        draw_ring(hud);
     if (hud->status[0])
         bottom = draw_text_panel(hud, STATUS, hud->status, bottom, FADE_LEVELS);
     if (hud->message[0] && hud->message_level > 0)

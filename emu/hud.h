@@ -41,6 +41,9 @@ void vm_hud_message(struct vm_hud *hud, const char *text, double now, double sec
 void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_t line_count);
 bool vm_hud_help_shown(const struct vm_hud *hud);
 
+/* A circle, window pixels from the top left: what a light pen sees. Radius 0: none. */
+void vm_hud_ring(struct vm_hud *hud, double x, double y, double radius);
+
 /* The colour of the text, 0…255 sRGB: the tube's phosphor. Mixed with white until it is legible. */
 void vm_hud_tint(struct vm_hud *hud, int red, int green, int blue);
 

@@ -10,7 +10,8 @@
 #include "display_file/asm.h"
 #include "display_file/loaders.h"
 
-#define MAX_FILE (UINT64_C(64) << 20)
+#define MAX_FILE   (UINT64_C(64) << 20)
+#define MAX_SCRIPT (UINT64_C(512) << 20)
 
 const struct vm_option vm_input_rows[VM_INPUT_ROWS] = {
     {"base", 0, VM_OPT_OCTAL, offsetof(struct vm_input_options, base), "OCTAL",
@@ -24,6 +25,10 @@ const struct vm_option vm_input_rows[VM_INPUT_ROWS] = {
      "\\r \\t \\e \\\\ \\xHH "
      "are "
      "understood",
+     0, 0},
+    {"input", 0, VM_OPT_STRING, offsetof(struct vm_input_options, script), "SCRIPT",
+     "what a person does with pen, tablet, finger, mouse and keys, and when: a file that --record "
+     "has written, or one written by hand",
      0, 0},
 };
 
@@ -150,22 +155,22 @@ static bool load_bytes(struct vm_input *in, const char *path, const char *kind,
 /* ---- firmware -----------------------------------------------------------------------------------
  */
 
-/* Copies the text at a symbol; "" when there is none, or it is too long to be a tube's name. */
-static void take_tube(struct vm_input *in)
+/* Copies the text at a symbol; "" when there is none, or it is too long. */
+static void take_text(const struct vm_elf *elf, const char *symbol, char *text, size_t size)
 {
     uint32_t address;
-    in->tube[0] = '\0';
-    if (!vm_elf_find(&in->elf, "kinescope_tube", &address))
+    text[0] = '\0';
+    if (!vm_elf_find(elf, symbol, &address))
         return;
-    for (int i = 0; i < in->elf.segments; i++) {
-        const struct vm_elf_segment *s = &in->elf.segment[i];
+    for (int i = 0; i < elf->segments; i++) {
+        const struct vm_elf_segment *s = &elf->segment[i];
         uint32_t offset = address - s->address;
         if (offset >= s->file_size)
             continue;
         size_t room = s->file_size - offset;
-        room = room < sizeof in->tube ? room : sizeof in->tube;
+        room = room < size ? room : size;
         if (memchr(s->bytes + offset, '\0', room))
-            memcpy(in->tube, s->bytes + offset, room);
+            memcpy(text, s->bytes + offset, room);
         return;
     }
 }
@@ -180,7 +185,8 @@ static bool load_firmware(struct vm_input *in, const char *path, struct crt_erro
     vm_base_name(path, name, sizeof name);
     in->has_firmware = vm_elf_parse(&in->elf, name, (const uint8_t *)in->image, length, err);
     if (in->has_firmware)
-        take_tube(in);
+        take_text(&in->elf, "kinescope_tube", in->tube, sizeof in->tube);
+    take_text(&in->elf, "kinescope_hand", in->hand, sizeof in->hand);
     return in->has_firmware;
 }
 
@@ -303,6 +309,17 @@ static bool unknown_kind(const char *path, struct crt_error *err)
         path);
 }
 
+static bool load_script(struct vm_input *in, const char *path, struct crt_error *err)
+{
+    size_t length;
+    if (in->is_recording)
+        return crt_fail(err, "--input: nobody can point at %s, a recording of a beam", in->name);
+    char *text = vm_read_file(path, "script", MAX_SCRIPT, &length, err);
+    bool ok = text && inp_script_parse(&in->script, path, text, length, err);
+    free(text);
+    return ok;
+}
+
 bool vm_input_load(struct vm_input *in, const char *path, const struct vm_input_options *options,
                    struct crt_error *err, char **report)
 {
@@ -337,6 +354,8 @@ bool vm_input_load(struct vm_input *in, const char *path, const struct vm_input_
         ok = load_beside(in, path, options->firmware, err);
     if (ok && options->type)
         ok = take_typed(in, options->type, err);
+    if (ok && options->script)
+        ok = load_script(in, options->script, err);
     if (!ok)
         vm_input_free(in);
     return ok;
@@ -350,6 +369,7 @@ void vm_input_free(struct vm_input *in)
     free(in->image);
     free(in->typed);
     free(in->strokes);
+    inp_script_free(&in->script);
     in->strokes = NULL;
     in->image = in->typed = NULL;
     in->has_firmware = false;

@@ -19,14 +19,16 @@
 #include "emu/board/elf.h"
 #include "emu/machine.h"
 #include "emu/options.h"
+#include "input/script.h"
 
 struct vm_input_options {
     struct vm_octal base, start; /* of a raw image */
     const char *firmware;        /* for a display file; NULL: what the file says */
     const char *type;            /* typed on the console, with escapes; NULL: nothing */
+    const char *script;          /* of acts, input/script.h; NULL: none */
 };
 
-#define VM_INPUT_ROWS 4
+#define VM_INPUT_ROWS 5
 extern const struct vm_option vm_input_rows[VM_INPUT_ROWS];
 
 struct vm_input {
@@ -38,7 +40,9 @@ struct vm_input {
     char *image;
     char *typed; /* malloced, typed_length bytes; NULL: nothing */
     size_t typed_length;
-    char tube[48]; /* that firmware names; "": none */
+    struct inp_script script; /* what a person does; count 0: nothing */
+    char tube[48];            /* that firmware names; "": none */
+    char hand[16];            /* that firmware is made for (emu/hand.h); "": it does not say */
     struct crt_beam_header header;
     struct crt_stroke *strokes;
     size_t count;

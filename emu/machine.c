@@ -32,6 +32,8 @@ void vm_machine_init(struct vm_machine *m, const struct vm_machine_desc *desc)
     df_dpu_reset(&m->dpu, 0);
     if (desc->buffer)
         vm_raster_init(m);
+    if (desc->setup)
+        vm_devices_init(m);
     if (desc->board)
         vm_bus_connect(m);
 }
@@ -103,6 +105,8 @@ bool vm_machine_boot(struct vm_machine *m, const struct vm_elf *elf,
         memset(m->desc.buffer, 0, VIDEO_BUFFER_BYTES);
         ras_head_reset(&m->raster, m->now);
     }
+    if (m->desc.setup)
+        inp_unit_reset(&m->devices, m->now);
     vm_board_load(m->desc.board, elf, m->now);
     return true;
 }
@@ -179,11 +183,11 @@ bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m)
     copy->desc.tube = copy->desc.raster_tube = NULL;
     copy->desc.buffer = NULL;
     copy->desc.console = NULL;
-    copy->desc.pen = (struct vm_pen){NULL, NULL};
-    copy->dpu.desc.beam.offer = NULL;
     copy->dpu.desc.memory = copy->memory;
     copy->dpu.desc.beam.ctx = copy;
     copy->dpu.desc.wires.ctx = copy;
+    if (m->desc.setup)
+        vm_devices_wire(copy);
     if (!m->desc.board)
         return true;
     copy->desc.board = copy_board(m->desc.board);

@@ -7,6 +7,8 @@
  *         ├─ stores ─▶ refresh buffer ──pixels──▶ raster head ── scan lines ──▶ raster tube
  *         │ ▲ interrupt lines 5, 6  registers, look-up table ──▲
  *      sync ticks ──▶ dpu, stand-in, end of a tube epoch
+ *         │ ▲ line 7, keys to the console
+ *         └─┴─ registers ── pens, tablet, panel, keyboard, mouse ◀── acts of the person
  *      recording (.beam) ── strokes ─────────────────────────────────────────────────────▲
  *
  * Models:     a vector head with or without a processor, and with a processor a raster head, too.
@@ -15,17 +17,17 @@
  *             at the next tick after a pen or character interrupt. Instead of a display processor a
  *             recording of beam pieces can drive the tube.
  * Time:       picoseconds since power-on. At equal times: raster head, tick, interrupt line, word,
- *             console, timer, processor. An instruction begun at t comes after the word fetched at t
+ *             acts and input devices, console, timer, processor. An instruction begun at t comes after the word fetched at t
  *             and the line of pixels read at t; what is fetched or read after t sees what it stored.
  *             What the display processor reports (interrupt lines) rises when the word that causes it
  *             is done; its registers show what the word leads to from its fetch on.
  * Refresh:    emu/refresh.h. Refreshes are counted from 1 as they end. Of a program that uses the
  *             raster head and has never started the display processor, a refresh is a frame.
- * Ownership:  the caller owns the struct (280 KiB: not for small stacks); board, console, tubes and
+ * Ownership:  the caller owns the struct (290 KiB: not for small stacks); board, console, tubes and
  *             what the desc points at must outlive it. Allocates nothing.
  * Errors:     vm_machine_load: one sentence. Guest trouble is a state of the display processor or
  *             the processor (emu/trouble.h puts it into words).
- * Not modelled: input devices; bus contention.
+ * Not modelled: bus contention.
  */
 #ifndef EMU_MACHINE_H
 #define EMU_MACHINE_H
@@ -40,7 +42,9 @@
 #include "emu/board/board.h"
 #include "emu/console.h"
 #include "emu/flow.h"
+#include "emu/operator.h"
 #include "emu/refresh.h"
+#include "input/unit.h"
 #include "raster/head.h"
 
 enum vm_on_stop { VM_RESTART, VM_HALT };
@@ -60,14 +64,11 @@ struct vm_hooks {
     void (*stroke)(void *ctx, const struct crt_stroke *stroke); /* may be NULL */
     /* An interrupt line (IRQ_LINE_…) changes at t. May be NULL. */
     void (*line)(void *ctx, uint64_t t, unsigned line, bool level);
+    /* An act reaches the devices, or one of them has something for the program. May be NULL. */
+    void (*act)(void *ctx, const struct inp_act *act);
+    void (*input)(void *ctx, uint64_t t, const struct inp_unit *unit);
     const struct ras_hooks *raster;   /* signals of the raster head; may be NULL */
     const struct rv_hooks *processor; /* each instruction; may be NULL */
-};
-
-/* A light pen: df_beam's offer. */
-struct vm_pen {
-    void *ctx;
-    uint64_t (*offer)(void *ctx, const struct crt_stroke *stroke); /* NULL: there is no pen */
 };
 
 struct vm_machine_desc {
@@ -84,7 +85,11 @@ struct vm_machine_desc {
     const struct crt_tube_row *raster_row;
     struct ras_timing raster_timing; /* at power-on */
     struct crt_tube *raster_tube;    /* NULL: nobody observes */
-    struct vm_pen pen;
+    /* Input devices; NULL: there are none. Knobs are those of the monitors at power-on. */
+    const struct inp_setup *setup;
+    const struct crt_phosphor *phosphor, *raster_phosphor;
+    struct crt_knobs knobs, raster_knobs;
+    const struct vm_operator *person; /* NULL: nobody is there */
 };
 
 /* An interrupt of the display processor, and the line it drives on the board. */
@@ -121,6 +126,9 @@ struct vm_machine {
     struct vm_interrupt interrupt[DF_INT_COUNT];
     struct ras_head raster;   /* with desc.buffer */
     uint64_t raster_advanced; /* what the raster tube was last told */
+    struct inp_unit devices;  /* with desc.setup */
+    struct vm_done done;      /* of desc.person's acts */
+    bool looks[INP_SCREENS];  /* a pen does, at that head */
     uint16_t memory[DF_MEMORY_BYTES / 2];
 };
 
@@ -158,7 +166,7 @@ bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t lim
 /* m->dpu.words is `words`; what else happens when the last one is fetched has happened, too. */
 bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit);
 
-/* A copy that goes on alone, without tubes, console and pen: for looking ahead. `copy` need not be
+/* A copy that goes on alone, without tubes and console: for looking ahead. `copy` need not be
  * initialised; vm_machine_forget frees its board and refresh buffer. False: out of memory. */
 bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m);
 void vm_machine_forget(struct vm_machine *copy);

@@ -93,7 +93,7 @@ static bool memory_write(void *ctx, uint32_t offset, unsigned width, uint32_t va
 /* ---- identity -----------------------------------------------------------------------------------
  */
 
-#define MAP_VERSION 2 /* 2: raster head */
+#define MAP_VERSION 3 /* 2: raster head; 3: input devices */
 #define HEAD_VECTOR 1
 #define HEAD_RASTER 2
 
@@ -154,4 +154,6 @@ void vm_bus_connect(struct vm_machine *m)
         bus_add(&m->desc.board->bus, &ranges[i]);
     if (m->desc.buffer)
         vm_raster_connect(m);
+    if (m->desc.setup)
+        vm_devices_connect(m);
 }

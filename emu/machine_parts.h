@@ -4,6 +4,7 @@
  *      machine_wires.c strokes, interrupt lines,    machine_bus.c   registers on the processor's bus
  *                      START and refreshes         machine_state.c snapshots
  *      machine_raster.c the raster head's wires and registers
+ *      machine_devices.c acts, input devices, their wires and registers
  *
  * Models:     see emu/machine.h.
  * Time:       picoseconds since power-on.
@@ -19,6 +20,8 @@
 void vm_wire_dpu(struct vm_machine *m, struct df_dpu_desc *desc);
 /* Strokes and lines from now on go to m->hooks, too, or no longer. */
 void vm_wire_hooks(struct vm_machine *m, bool hooked);
+/* Strokes are offered to the pen when it looks. */
+void vm_wire_pen(struct vm_machine *m);
 void vm_count_stroke(struct vm_machine *m, const struct crt_stroke *stroke);
 struct vm_counts vm_counts(const struct vm_machine *m);
 /* START at t; a refresh may begin with it. */
@@ -41,6 +44,15 @@ void vm_raster_connect(struct vm_machine *m);
 uint64_t vm_raster_next(const struct vm_machine *m);
 void vm_raster_event(struct vm_machine *m, uint64_t t);
 void vm_raster_advance(struct vm_machine *m, uint64_t t);
+
+/* machine_devices.c; all of it needs desc.setup but vm_devices_next(), which is VM_NEVER without. */
+void vm_devices_init(struct vm_machine *m);
+/* Wires them to this machine, a copy, say; offers light to the pens that look. */
+void vm_devices_wire(struct vm_machine *m);
+void vm_devices_connect(struct vm_machine *m);
+uint64_t vm_devices_next(const struct vm_machine *m);
+void vm_devices_event(struct vm_machine *m, uint64_t t);
+void vm_devices_state(struct vm_machine *m, struct crt_state *s);
 
 /* machine_bus.c: adds the machine's ranges to the board's bus. */
 void vm_bus_connect(struct vm_machine *m);

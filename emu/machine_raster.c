@@ -7,8 +7,11 @@
 
 static void scan_line(void *ctx, const struct crt_scan_line *line)
 {
-    const struct vm_machine *m = ctx;
-    crt_tube_scan_line(m->desc.raster_tube, line);
+    struct vm_machine *m = ctx;
+    if (m->desc.raster_tube)
+        crt_tube_scan_line(m->desc.raster_tube, line);
+    if (m->looks[INP_RASTER])
+        inp_unit_line(&m->devices, line);
 }
 
 const unsigned vm_raster_lines[RAS_INT_COUNT] = {
@@ -44,11 +47,12 @@ static void retrace(void *ctx, uint64_t t, bool frame)
 
 void vm_raster_wire(struct vm_machine *m, struct ras_wires *wires)
 {
-    *wires = (struct ras_wires){.ctx = m,
-                                .line = m->desc.raster_tube ? scan_line : NULL,
-                                .interrupt = interrupt,
-                                .retime = retime,
-                                .retrace = retrace};
+    *wires =
+        (struct ras_wires){.ctx = m,
+                           .line = m->desc.raster_tube || m->looks[INP_RASTER] ? scan_line : NULL,
+                           .interrupt = interrupt,
+                           .retime = retime,
+                           .retrace = retrace};
 }
 
 void vm_raster_init(struct vm_machine *m)

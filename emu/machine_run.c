@@ -213,6 +213,7 @@ enum source {
     SOURCE_TICK,
     SOURCE_WIRES,
     SOURCE_WORD,
+    SOURCE_INPUT,
     SOURCE_CONSOLE,
     SOURCE_BOARD,
     SOURCE_COUNT
@@ -231,6 +232,7 @@ static void list_next(const struct vm_machine *m, uint64_t next[SOURCE_COUNT])
 {
     next[SOURCE_RASTER] = vm_raster_next(m);
     next[SOURCE_TICK] = m->tick_time;
+    next[SOURCE_INPUT] = vm_devices_next(m);
     next[SOURCE_WORD] = m->dpu.state == DF_RUNNING ? m->dpu.t : VM_NEVER;
     next[SOURCE_WIRES] = next[SOURCE_CONSOLE] = next[SOURCE_BOARD] = VM_NEVER;
     if (m->desc.board) {
@@ -265,7 +267,8 @@ static void run_words(struct vm_machine *m, const uint64_t next[SOURCE_COUNT], s
         if (r->goal.kind != GOAL_NONE && reached(m, &r->goal))
             return;
     } while (m->dpu.state == DF_RUNNING && m->dpu.t < limit &&
-             !(m->desc.board && vm_wires_next(m) <= m->dpu.t));
+             !(m->desc.board && vm_wires_next(m) <= m->dpu.t) &&
+             !(m->looks[INP_VECTOR] && vm_devices_next(m) <= m->dpu.t));
 }
 
 static void take_turn(struct vm_machine *m, enum source who, const uint64_t next[SOURCE_COUNT],
@@ -288,6 +291,9 @@ static void take_turn(struct vm_machine *m, enum source who, const uint64_t next
         break;
     case SOURCE_WIRES:
         vm_wires_change(m, t);
+        break;
+    case SOURCE_INPUT:
+        vm_devices_event(m, t);
         break;
     case SOURCE_CONSOLE:
         byte = vm_console_take(m->desc.console, t);

@@ -129,6 +129,12 @@ static bool sane_lines(const struct vm_machine *m)
     return true;
 }
 
+static bool sane_devices(const struct vm_machine *m)
+{
+    return !m->desc.setup || !m->desc.board ||
+           (m->desc.board->irq.pending >> IRQ_LINE_INPUT & 1) == m->devices.level;
+}
+
 /* The processor has executed what it begins before now, and nothing that it begins later. */
 static bool sane_processor(const struct vm_machine *m)
 {
@@ -173,6 +179,7 @@ static bool sane_raster(const struct vm_machine *m)
 static void check(struct vm_machine *m, struct crt_state *s)
 {
     crt_state_check(s, sane_raster(m), "raster head");
+    crt_state_check(s, sane_devices(m), "interrupt of the input devices");
     crt_state_check(s, sane_time(m), "time");
     crt_state_check(s, sane_program(m), "program");
     crt_state_check(s, sane_counts(m), "count of a refresh");
@@ -191,6 +198,8 @@ void vm_machine_state(struct vm_machine *m, struct crt_state *s)
         vm_console_state(m->desc.console, s);
     if (m->desc.buffer)
         ras_head_state(&m->raster, s);
+    if (m->desc.setup)
+        vm_devices_state(m, s);
     crt_state_begin(s, "MACH", VERSION);
     program_state(m, s);
     refreshes_state(&m->refreshes, s);
@@ -202,6 +211,8 @@ void vm_machine_state(struct vm_machine *m, struct crt_state *s)
     if (!s->loading || s->failed)
         return;
     m->tick_time = crt_tick_time(m->desc.tick, m->ticks);
+    if (m->desc.person)
+        m->done = vm_operator_before(m->desc.person, m->now);
     m->advanced = m->desc.tube ? m->now : 0;
     m->raster_advanced = m->desc.raster_tube ? m->now : 0;
     for (int line = 0; line < DF_INT_COUNT; line++)

@@ -19,6 +19,8 @@ void vm_count_stroke(struct vm_machine *m, const struct crt_stroke *stroke)
     m->last_light = stroke->t1;
     if (m->desc.tube)
         crt_tube_stroke(m->desc.tube, stroke);
+    if (m->looks[INP_VECTOR])
+        inp_unit_stroke(&m->devices, stroke);
 }
 
 static void commit(void *ctx, const struct crt_stroke *stroke)
@@ -36,8 +38,13 @@ static void commit_hooked(void *ctx, const struct crt_stroke *stroke)
 
 static uint64_t offer(void *ctx, const struct crt_stroke *stroke)
 {
-    const struct vm_pen *pen = &((struct vm_machine *)ctx)->desc.pen;
-    return pen->offer(pen->ctx, stroke);
+    const struct vm_machine *m = ctx;
+    return inp_pen_offer(&m->devices.pen[INP_VECTOR], stroke);
+}
+
+void vm_wire_pen(struct vm_machine *m)
+{
+    m->dpu.desc.beam.offer = m->looks[INP_VECTOR] ? offer : NULL;
 }
 
 /* ---- interrupt lines ----------------------------------------------------------------------------
@@ -98,7 +105,7 @@ static void bell(void *ctx, uint64_t t)
 
 void vm_wire_dpu(struct vm_machine *m, struct df_dpu_desc *desc)
 {
-    desc->beam = (struct df_beam){m, m->desc.pen.offer ? offer : NULL, commit};
+    desc->beam = (struct df_beam){m, NULL, commit};
     desc->wires = (struct df_wires){m, interrupt, bell};
 }
 

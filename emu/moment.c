@@ -95,16 +95,22 @@ static int find_event(struct vm_machine *m, const char *when, uint64_t timeout, 
     return found && m->now <= timeout ? 0 : no_event(m, when, timeout, err);
 }
 
-/* When all that was typed has been read and the firmware, having done what it was told, waits for more: it
+/* When all that was typed has been read, the script of acts is over, and the firmware, having done what it was told, waits for more: it
  * hardly computes for a while. Firmware that always computes is taken some seconds later. 0: nothing was
- * typed. */
+ * done. */
 static uint64_t answered(struct vm_machine *m)
 {
     const uint64_t slice = CRT_PS_PER_S / 20, few = VM_CPU_HZ / 20 / 100, most = 3 * CRT_PS_PER_S;
     const struct vm_console *console = m->desc.console;
-    if (!console || !m->desc.board || console->next == console->count)
+    uint64_t script = m->desc.person ? vm_operator_script_end(m->desc.person) : 0;
+    uint64_t timeout = TIMEOUT_PS + script;
+    if (script > m->now)
+        vm_machine_run(m, script);
+    else if (!console || vm_console_empty(console))
         return 0;
-    while (console->next < console->count && m->now < TIMEOUT_PS)
+    if (!console || !m->desc.board)
+        return script;
+    while (!vm_console_empty(console) && m->now < timeout)
         vm_machine_run(m, m->now + slice);
     uint64_t read = m->now, before;
     do {

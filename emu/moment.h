@@ -5,8 +5,9 @@
  *      --when mark:N              the firmware's store of N to IDENTITY_MARK
  *      --when console:TEXT        the end of the last byte of TEXT on the console
  *      neither                    end of the first complete refresh that begins at 0.5 s or later;
- *                                 of a recording its end; where something is typed, later than
- *                                 firmware has read it and waits for more (or computes for 3 s)
+ *                                 of a recording its end; where something is typed or --input has
+ *                                 acts, later than firmware has read it, the acts are over, and it
+ *                                 waits for more (or computes for 3 s)
  *
  * Models:     nothing. Stops and refreshes are counted from where the run begins: power-on, or the
  *             machine of --load-state; then "neither" is the first refresh that begins a tick later.

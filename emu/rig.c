@@ -43,8 +43,11 @@ bool vm_rig_open(struct vm_rig *rig, const struct vm_settings *settings,
                  const struct vm_tubes *tubes, struct crt_error *err)
 {
     *rig = (struct vm_rig){.machine = calloc(1, sizeof *rig->machine)};
-    bool ok =
-        rig->machine || crt_fail(err, "not enough memory for the machine; close other programs");
+    rig->person = calloc(1, sizeof *rig->person);
+    bool ok = (rig->machine && rig->person) ||
+              crt_fail(err, "not enough memory for the machine; close other programs");
+    if (ok && !vm_operator_read(rig->person, input->script.act, input->script.count))
+        ok = crt_fail(err, "not enough memory for --input");
     if (ok && tubes)
         ok = open_tubes(rig, input, tubes, err);
     if (ok && input->has_firmware)
@@ -56,6 +59,7 @@ bool vm_rig_open(struct vm_rig *rig, const struct vm_settings *settings,
         desc.buffer = rig->buffer;
         desc.board = rig->board;
         desc.console = rig->console;
+        desc.person = rig->person;
         vm_machine_init(rig->machine, &desc);
         ok = vm_input_insert(input, rig->machine, err);
     }
@@ -74,6 +78,9 @@ void vm_rig_close(struct vm_rig *rig)
     if (rig->console)
         vm_console_free(rig->console);
     free(rig->console);
+    if (rig->person)
+        vm_operator_free(rig->person);
+    free(rig->person);
     free(rig->buffer);
     free(rig->machine);
     *rig = (struct vm_rig){0};

@@ -18,6 +18,7 @@ struct vm_rig {
     struct vm_board *board;          /* NULL: the program has no firmware */
     uint8_t *buffer;                 /* of the raster head; the same */
     struct vm_console *console;      /* the same; its desc is for the front end to fill in */
+    struct vm_operator *person;      /* with the acts of the input's script */
 };
 
 /* `tubes` may be NULL: no light at all. A raster tube is only made for a program with firmware. */

@@ -247,6 +247,7 @@ int vm_settings_resolve(const struct vm_settings_options *o,
     memset(s, 0, sizeof *s);
     for (int h = 0; h < VM_HEADS; h++)
         s->monitor[h].knobs = (struct crt_knobs){0, 1, 0};
+    inp_setup_default(&s->setup);
     s->memory_bytes = DF_ADDRESS_SPACE;
     s->on_stop = o->on_stop && strcmp(o->on_stop, "halt") == 0 ? VM_HALT : VM_RESTART;
     s->threads = o->threads ? (int)o->threads : default_threads();
@@ -289,7 +290,12 @@ struct vm_machine_desc vm_settings_machine(const struct vm_settings *s,
                                     .memory_bytes = s->memory_bytes,
                                     .on_stop = s->on_stop,
                                     .raster_row = &s->monitor[VM_RASTER].row,
-                                    .raster_timing = s->timing};
+                                    .raster_timing = s->timing,
+                                    .setup = &s->setup,
+                                    .phosphor = &s->monitor[VM_VECTOR].phosphor,
+                                    .raster_phosphor = &s->monitor[VM_RASTER].phosphor,
+                                    .knobs = s->monitor[VM_VECTOR].knobs,
+                                    .raster_knobs = s->monitor[VM_RASTER].knobs};
 }
 
 static struct crt_tube_desc tube_desc(const struct vm_settings *s, enum vm_head head)

@@ -9,7 +9,8 @@
  *             when --view or the tube named says so, else the vector head; --phosphor and figures
  *             that both kinds of tube have are those of the main head, unless --set names the head
  *             (raster.spot=0.5).
- * Units:      as named in crt/tube_table.h; memory in bytes.
+ * Input:      --set pen=none, tablet=sonic, tablet.rate=30 … : input/setup.h.
+ * Units:      as named in crt/tube_table.h and input/; memory in bytes.
  * Ownership:  vm_settings_free releases the catalogue; row and phosphor live in the struct.
  * Errors:     an exit status (0, 1 host trouble, 2 usage) and one sentence.
  */
@@ -21,6 +22,7 @@
 #include "emu/heads.h"
 #include "emu/machine.h"
 #include "emu/options.h"
+#include "input/setup.h"
 #include "raster/mode.h"
 
 struct vm_settings_options {
@@ -55,6 +57,7 @@ struct vm_settings {
     enum df_personality personality; /* of the display processor; VS60 by default with colours */
     int threads;
     enum crt_simd simd;
+    struct inp_setup setup; /* input devices */
 };
 
 /* `recording` names tube, phosphor and tick where the options do not; NULL for programs. `tube` is

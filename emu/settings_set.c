@@ -1,4 +1,4 @@
-/* settings_set.c — --set KEY=VALUE: memory, knobs, figures of the tubes. */
+/* settings_set.c — --set KEY=VALUE: memory, knobs, figures of the tubes, input devices. */
 #include <string.h>
 
 #include "emu/settings_parts.h"
@@ -48,10 +48,15 @@ bool vm_figure_value(const char *text, const char *unit, double *value, struct c
 static bool no_such_key(const char *name, struct crt_error *err)
 {
 #define X(field, unit, meaning) #field,
-    static const char *const names[] = {CRT_TUBE_FIGURES(X) "memory", "dpu.average", "brightness",
-                                        "contrast", "focus"};
+    const char *names[200] = {CRT_TUBE_FIGURES(X) "memory", "dpu.average", "brightness", "contrast",
+                              "focus"};
 #undef X
-    const char *near = vm_nearest(name, names, sizeof names / sizeof *names);
+    size_t count = 0;
+    while (names[count])
+        count++;
+    for (unsigned i = 0; inp_setup_key(i) && count < sizeof names / sizeof *names; i++)
+        names[count++] = inp_setup_key(i);
+    const char *near = vm_nearest(name, names, count);
     if (near)
         return crt_fail(err, "there is no '%.60s' to set; did you mean %s?", name, near);
     return crt_fail(err, "there is no '%.60s' to set; kinescope list tubes --why names the figures",
@@ -112,6 +117,23 @@ static bool head_for(const struct vm_settings *s, unsigned named, const char *na
     return true;
 }
 
+/* Kinds and figures of input devices; *ours is false when the key is none of them. */
+static bool set_input(struct inp_setup *setup, const char *name, const char *text, bool *ours,
+                      struct crt_error *err)
+{
+    const char *unit;
+    double value;
+    bool ok = inp_setup_set_kind(setup, name, text, ours, err);
+    if (*ours)
+        return ok;
+    struct crt_figure *figure = inp_setup_figure(setup, name, &unit, NULL);
+    *ours = figure != NULL;
+    if (!figure || !vm_figure_value(text, unit, &value, err))
+        return false;
+    *figure = (struct crt_figure){value, value, value, "set on the command line"};
+    return inp_setup_check(setup, name, err);
+}
+
 /* KEY=VALUE, HEAD.KEY=VALUE. */
 static bool set_one(struct vm_settings *s, const char *item, struct crt_error *err)
 {
@@ -137,6 +159,9 @@ static bool set_one(struct vm_settings *s, const char *item, struct crt_error *e
         if (strcmp(name, "memory") == 0 || strcmp(name, "dpu.average") == 0)
             return crt_fail(err, "%s belongs to no head; leave out '%.7s'", name, key);
     }
+    bool ours, ok = set_input(&s->setup, key, text, &ours, err);
+    if (ours)
+        return ok;
     if (knob_of(&knobs, name, &low, &high))
         return set_knob(s, heads, name, text, err);
     return head_for(s, heads, name, &head, err) && set_figure(&s->monitor[head], name, text, err);

@@ -7,6 +7,7 @@
 
 #include "emu/command.h"
 #include "emu/debug/gdb_past.h"
+#include "emu/record.h"
 #include "emu/trouble.h"
 
 #define LONGEST_FRAME_S 0.05 /* a late frame does not make the machine hurry after it */
@@ -14,6 +15,7 @@
 #define DEBUGGER_MS     4    /* how long a held machine waits for a silent debugger, each frame */
 #define POLL_S          0.3
 #define ROM_S           12.0
+#define RECORD_S        5.0 /* between saves of what is done */
 
 void vm_show_say(struct vm_show *show, const char *text)
 {
@@ -148,6 +150,16 @@ static void look_after_console(struct vm_show *show)
         show->quit = true;
 }
 
+/* What was done is saved now and then, and at the end. */
+static bool keep_record(struct vm_show *show, double now, bool over, struct crt_error *err)
+{
+    if (!show->recording || (!over && now - show->recorded_since < RECORD_S))
+        return true;
+    show->recorded_since = now;
+    return vm_record_save(show->desc->record, show->program->rig.machine, show->program->input.name,
+                          err);
+}
+
 static void look_after_program(struct vm_show *show, double now)
 {
     struct crt_error err;
@@ -160,6 +172,8 @@ static void look_after_program(struct vm_show *show, double now)
         vm_show_say(show, err.text);
     if (show->desc->console)
         look_after_console(show);
+    if (!keep_record(show, now, false, &err))
+        vm_hud_message(show->hud, err.text, now, 20);
     if (!show->trouble_shown &&
         show->program->rig.machine->now >= show->program->rig.machine->loaded + CRT_PS_PER_S / 2) {
         show->trouble_shown = true;
@@ -182,6 +196,7 @@ static void loop(struct vm_show *show)
             vm_window_poll(show->window);
         while (vm_window_next(show->window, &event))
             vm_show_event(show, &event);
+        vm_show_hand_flush(show);
         double now = vm_window_time();
         look_after_program(show, now);
         run_frame(show, now);
@@ -260,9 +275,12 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
         ok = show->touring ? vm_show_tour(show, 1, err) : vm_show_open(show, desc->path, NULL, err);
     if (ok) {
         vm_show_say(show, "F1 help");
+        show->recording = desc->record != NULL;
         show->last_time = vm_window_time();
         loop(show);
     }
+    if (ok)
+        ok = keep_record(show, 0, true, err);
     if (ok && show->program)
         ok = vm_saved_save(desc->saved, &show->program->rig, &show->program->settings,
                            &show->program->input, err);

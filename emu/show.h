@@ -2,7 +2,7 @@
  *
  *      host clock ─▶ pace ─▶ machine ─▶ tubes ─▶ films of this frame ─▶ glass ─▶ window
  *      events ─▶ keys (show_keys.c) ─▶ pause, scale, knobs, program ─┘      hud ┘
- *         └────▶ the guest's keys (show_typing.c) ─▶ console
+ *         └────▶ mouse, the guest's keys (show_hands.c) ─▶ acts ─▶ machine, record
  *
  * Time:       each host frame the machine runs to T + min(elapsed, 50 ms) × scale and the film
  *             gathers exactly that time. An elapsed time within a third of a frame interval of a
@@ -20,6 +20,7 @@
 #include "emu/debug/history.h"
 #include "emu/hud.h"
 #include "emu/frame.h"
+#include "emu/hand.h"
 #include "emu/picture.h"
 #include "emu/roms.h"
 #include "emu/saved.h"
@@ -39,6 +40,7 @@ struct vm_show_desc {
     struct vm_time length; /* close after this much simulated time, when given */
     bool console;          /* firmware's console is stdin and stdout */
     const struct vm_saved_options *saved;
+    const char *record; /* file for what is done in the window; NULL: none */
     struct vm_gdb *gdb; /* a debugger may come here; NULL: none */
 };
 
@@ -91,6 +93,20 @@ struct vm_show {
     enum vm_knob knob;
     bool knobs_touched;
 
+    /* Hands (show_hands.c): what the mouse is, what it holds, keys held. */
+    enum vm_hand hand;
+    enum vm_head pen_head; /* the screen it was over last */
+    bool hand_there;       /* over a screen */
+    unsigned pressed;      /* bits of buttons: left, middle, right */
+    bool mouse_known;
+    double mouse_x, mouse_y; /* window pixels */
+    bool held[256];          /* keys, by KEYCODE_… */
+    bool key_waits;          /* pressed, its character has not come yet */
+    uint8_t waiting_code;
+
+    bool recording;        /* of desc->record: until another program is shown */
+    double recorded_since; /* host time */
+
     /* Status line. */
     double status_since, poll_since;
     uint64_t rate_number, rate_end;
@@ -117,8 +133,16 @@ bool vm_show_picture(struct vm_show *show, struct crt_image *image, struct crt_e
 void vm_show_next_view(struct vm_show *show);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
-/* show_typing.c: a key of the guest's, or the character it made, goes to the firmware's console. */
-void vm_show_type(struct vm_show *show, const struct vm_event *event);
+/* show_hands.c: a mouse's or key's event becomes what a person does; after the last of a frame, flush. */
+void vm_show_hand_event(struct vm_show *show, const struct vm_event *event);
+void vm_show_hand_flush(struct vm_show *show);
+/* F9; and for a program that has just been opened. */
+void vm_show_next_hand(struct vm_show *show);
+void vm_show_first_hand(struct vm_show *show);
+/* What the light pen sees: a circle in window pixels; false: there is none. */
+bool vm_show_ring(const struct vm_show *show, double *x, double *y, double *radius);
+/* The knobs are turned: an act of the person's, too. */
+void vm_show_turn(struct vm_show *show, enum vm_head head);
 void vm_show_status(struct vm_show *show, double now);
 
 /* show_step.c: steps of show->unit, back (−1) and forward (1); the machine stands there, paused, and the

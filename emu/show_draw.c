@@ -43,6 +43,9 @@ void vm_show_draw(struct vm_show *show, double now)
         return;
     if (show->view_drawn == VM_VIEW_AUTO)
         show->view_drawn = vm_view_now(show->view, show->program->rig.machine);
+    double x = 0, y = 0, radius = 0;
+    bool ring = vm_show_ring(show, &x, &y, &radius);
+    vm_hud_ring(show->hud, x, y, ring ? radius : 0);
     const uint8_t *overlay = vm_hud_draw(show->hud, width, height, now, &changed);
     /* The text is the vector head's glass's to draw, whatever is seen through. */
     if (changed)

@@ -16,6 +16,7 @@ static const char *const help[] = {
     "F5\tpause, go on",
     "F6\tone refresh, then pause",
     "F7 F8\tslower, faster (Shift: by ten), down to a millionth: single strokes of the beam",
+    "F9\twhat the mouse is: light pen, stylus, finger, mouse",
     "F11\tfull screen",
     "F12\tscreenshot",
     "Right Ctrl with",
@@ -29,7 +30,9 @@ static const char *const help[] = {
     "1\treal time again",
     "N P\tnext and previous program of the tour",
     "Q\tquit",
-    "A file dropped on the window is shown. All other keys belong to the program.",
+    "A file dropped on the window is shown. All other keys belong to the program; the left Ctrl "
+    "key "
+    "with F1 to F12 is its F1 to F12.",
 };
 
 /* ---- time ---------------------------------------------------------------------------------------
@@ -100,7 +103,7 @@ static void set_knobs(struct vm_show *show)
 {
     for (int h = 0; h < VM_HEADS; h++)
         if (show->program->rig.tube[h] && (show->view_drawn & 1 << h))
-            crt_tube_set_knobs(show->program->rig.tube[h], show->knobs);
+            vm_show_turn(show, (enum vm_head)h);
 }
 
 static void turn_knob(struct vm_show *show, int direction)
@@ -227,7 +230,7 @@ static void function_key(struct vm_show *show, int f, unsigned modifiers)
         change_scale(show, f == 8 ? 1 : -1, modifiers & VM_MOD_SHIFT);
         break;
     case 9:
-        vm_show_say(show, "no pointing device is connected");
+        vm_show_next_hand(show);
         break;
     case 11:
         vm_window_set_full_screen(show->window, !vm_window_is_full_screen(show->window));
@@ -249,6 +252,16 @@ static void drop(struct vm_show *show, const char *path)
         vm_hud_message(show->hud, err.text, vm_window_time(), 20);
 }
 
+/* A function key with the left Ctrl key is the program's, and its release whenever that comes. */
+static bool is_guests(const struct vm_show *show, const struct vm_event *event)
+{
+    int f = (int)event->u.key.key - VM_KEY_F1;
+    if (event->u.key.chord || f < 0 || f >= 12)
+        return false;
+    return event->u.key.action == VM_RELEASE ? show->held[KEYCODE_F1 + f]
+                                             : (event->u.key.modifiers & VM_MOD_CONTROL) != 0;
+}
+
 void vm_show_event(struct vm_show *show, const struct vm_event *event)
 {
     switch (event->kind) {
@@ -259,6 +272,10 @@ void vm_show_event(struct vm_show *show, const struct vm_event *event)
         drop(show, event->u.drop.path);
         break;
     case VM_EVENT_HOST_KEY:
+        if (is_guests(show, event)) {
+            vm_show_hand_event(show, event);
+            break;
+        }
         if (event->u.key.action == VM_RELEASE)
             break;
         if (event->u.key.key >= VM_KEY_F1 && event->u.key.key <= VM_KEY_F12)
@@ -266,11 +283,8 @@ void vm_show_event(struct vm_show *show, const struct vm_event *event)
         else if (event->u.key.chord)
             chord(show, event->u.key.key);
         break;
-    case VM_EVENT_GUEST_KEY:
-    case VM_EVENT_TEXT:
-        vm_show_type(show, event);
-        break;
     default:
+        vm_show_hand_event(show, event);
         break;
     }
 }

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 
 #include "crt/maths.h"
+#include "emu/record.h"
 #include "emu/show.h"
 
 /* sRGB of a linear value, near enough for text. */
@@ -124,6 +125,18 @@ static void begin_measuring(struct vm_show *show)
     show->trouble_shown = false;
 }
 
+/* A record is of one program. */
+static void end_record(struct vm_show *show)
+{
+    struct crt_error err;
+    if (!show->recording)
+        return;
+    bool ok = vm_record_save(show->desc->record, show->program->rig.machine,
+                             show->program->input.name, &err);
+    vm_show_say(show, ok ? "the record ends with the program before" : err.text);
+    show->recording = false;
+}
+
 bool vm_show_open(struct vm_show *show, const char *path, const char *tube, struct crt_error *err)
 {
     char title[128];
@@ -132,8 +145,10 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
     struct vm_shown *program = prepare(show, path, tube, err);
     if (!program)
         return false;
+    end_record(show);
     vm_show_close(show->program);
     show->program = program;
+    vm_show_first_hand(show);
     show->film_ready = false;
     show->knobs = program->settings.monitor[program->settings.main].knobs;
     show->view = program->settings.view;

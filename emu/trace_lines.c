@@ -5,6 +5,7 @@
 #include "display_file/df_regs.h"
 #include "emu/cpu/rv_disasm.h"
 #include "emu/memmap.h"
+#include "input/script.h"
 
 #define ULL(x) ((unsigned long long)(x))
 
@@ -125,6 +126,78 @@ static void print_latch(void *ctx, uint64_t t)
             (unsigned long)latch->base, (unsigned long)latch->pitch, (unsigned long)latch->format);
 }
 
+/* ---- input --------------------------------------------------------------------------------------
+ */
+
+static void print_act(void *ctx, const struct inp_act *act)
+{
+    const struct vm_trace_lines *l = ctx;
+    char text[INP_STATEMENT_MOST];
+    size_t n = inp_script_write(act, text);
+    fprintf(l->out, "input %.*s", (int)n, text);
+}
+
+static void print_pen(struct vm_trace_lines *l, uint64_t t, const struct inp_unit *unit, int screen)
+{
+    const struct inp_pen_port *port = &unit->port[screen];
+    if (port->firings == l->seen.firings[screen])
+        return;
+    l->seen.firings[screen] = port->firings;
+    fprintf(l->out, "input %llu pen %s fires", ULL(t), screen == INP_RASTER ? "raster" : "vector");
+    if (screen == INP_RASTER && (port->status & PEN_HIT))
+        fprintf(l->out, ", beam at line %lu dot %lu field %lu", (unsigned long)port->line,
+                (unsigned long)port->dot, (unsigned long)port->field);
+    fputc('\n', l->out);
+}
+
+static void print_tablet(struct vm_trace_lines *l, uint64_t t, const struct inp_tablet *tablet)
+{
+    static const char *const names[] = {"far", "near", "touch"};
+    const struct inp_tablet_report *r = &tablet->report;
+    if (tablet->serial == l->seen.tablet)
+        return;
+    l->seen.tablet = tablet->serial;
+    fprintf(l->out, "input %llu tablet report %lu: %ld %ld %ld %s buttons=%u\n", ULL(t),
+            (unsigned long)tablet->serial, (long)r->x, (long)r->y, (long)r->z,
+            names[r->proximity % 3], r->buttons);
+}
+
+static void print_touch(struct vm_trace_lines *l, uint64_t t, const struct inp_touch *touch)
+{
+    const struct inp_touch_report *r = &touch->report;
+    if (touch->serial == l->seen.touch)
+        return;
+    l->seen.touch = touch->serial;
+    fprintf(l->out, "input %llu touch report %lu: %lu %lu%s%s\n", ULL(t),
+            (unsigned long)touch->serial, (unsigned long)r->x, (unsigned long)r->y,
+            r->touched ? " touched" : " lifted", r->unsure ? " unsure" : "");
+}
+
+static void print_mouse(struct vm_trace_lines *l, uint64_t t, const struct inp_mouse *mouse)
+{
+    uint32_t x, y, buttons;
+    inp_mouse_read(mouse, INPUT_MOUSE_X, t, &x);
+    inp_mouse_read(mouse, INPUT_MOUSE_Y, t, &y);
+    inp_mouse_read(mouse, INPUT_MOUSE_BUTTONS, t, &buttons);
+    if (x == l->seen.x && y == l->seen.y && buttons == l->seen.buttons)
+        return;
+    l->seen.x = x;
+    l->seen.y = y;
+    l->seen.buttons = buttons;
+    fprintf(l->out, "input %llu mouse %ld %ld buttons=%lu\n", ULL(t), (long)(int32_t)x,
+            (long)(int32_t)y, (unsigned long)buttons);
+}
+
+static void print_input(void *ctx, uint64_t t, const struct inp_unit *unit)
+{
+    struct vm_trace_lines *l = ctx;
+    for (int s = 0; s < INP_SCREENS; s++)
+        print_pen(l, t, unit, s);
+    print_tablet(l, t, &unit->tablet);
+    print_touch(l, t, &unit->touch);
+    print_mouse(l, t, &unit->mouse);
+}
+
 void vm_trace_lines_init(struct vm_trace_lines *l, enum vm_trace_what what, FILE *out,
                          const struct vm_machine *machine)
 {
@@ -141,6 +214,10 @@ void vm_trace_lines_init(struct vm_trace_lines *l, enum vm_trace_what what, FILE
     }
     if (what == VM_TRACE_IRQ)
         l->hooks.line = print_line;
+    if (what == VM_TRACE_INPUT) {
+        l->hooks.act = print_act;
+        l->hooks.input = print_input;
+    }
     if (what == VM_TRACE_VIDEO) {
         l->raster.signal = print_signal;
         l->raster.latch = print_latch;

@@ -9,6 +9,12 @@
  *      video <t> row 17 begins                                               of the picture
  *      video <t> retrace base=hhhhhhhh pitch=1024 format=8                   what is taken then
  *
+ *      input at 0.5s pen vector move 512 300                                 what a person does
+ *      input <t> tablet report 17: 1000 800 0 near buttons=0                 what a device has found
+ *      input <t> touch report 3: 40 22 touched
+ *      input <t> pen raster fires, beam at line 17 dot 320 field 9
+ *      input <t> mouse 12 -3 buttons=0
+ *
  * Time:       picoseconds since power-on: when the word was fetched, the instruction begun.
  * Effects:    the register written; of a store [address]=value, of a jump nothing, of a trap its cause.
  * Ownership:  the caller's struct and stream.
@@ -21,7 +27,20 @@
 
 #include "emu/machine.h"
 
-enum vm_trace_what { VM_TRACE_DPU, VM_TRACE_BEAM, VM_TRACE_CPU, VM_TRACE_IRQ, VM_TRACE_VIDEO };
+enum vm_trace_what {
+    VM_TRACE_DPU,
+    VM_TRACE_BEAM,
+    VM_TRACE_CPU,
+    VM_TRACE_IRQ,
+    VM_TRACE_VIDEO,
+    VM_TRACE_INPUT
+};
+
+/* What of the input devices has been printed. */
+struct vm_input_seen {
+    uint32_t tablet, touch, firings[INP_SCREENS];
+    uint32_t x, y, buttons; /* of the mouse */
+};
 
 struct vm_trace_lines {
     FILE *out;
@@ -31,7 +50,8 @@ struct vm_trace_lines {
     struct rv_hooks processor;
     const struct ras_head *head;
     struct ras_hooks raster;
-    struct vm_hooks hooks; /* for vm_machine_trace */
+    struct vm_input_seen seen; /* of the input devices, so far */
+    struct vm_hooks hooks;     /* for vm_machine_trace */
 };
 
 /* `lines` must stay where it is while its hooks are in use. */

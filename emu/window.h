@@ -134,8 +134,9 @@ void vm_window_close(struct vm_window *window);
 crt_gl_loader vm_window_loader(const struct vm_window *window);
 
 /* Gathers what has happened since the last call; _wait sleeps until something does or `seconds`
- * pass. vm_window_next then returns events in order, false when there are no more. When more than a
- * few hundred events pile up between polls the oldest mouse movements are dropped, nothing else. */
+ * pass. vm_window_next then returns events in order, false when there are no more. When very
+ * many events pile up between polls, mouse movements without anything between them become one, to where they
+ * lead; nothing else is left out. */
 void vm_window_poll(struct vm_window *window);
 void vm_window_wait(struct vm_window *window, double seconds);
 bool vm_window_next(struct vm_window *window, struct vm_event *event);

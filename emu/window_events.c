@@ -149,8 +149,13 @@ static void on_mouse(GLFWwindow *handle, double x, double y)
         return;
     q->x = x * pixels_w / w;
     q->y = y * pixels_h / h;
-    if (q->count - q->next < MANY_EVENTS)
+    struct vm_event *last = q->count > q->next ? &q->event[q->count - 1] : NULL;
+    if (last && last->kind == VM_EVENT_MOUSE && q->count - q->next >= MANY_EVENTS) {
+        last->x = q->x;
+        last->y = q->y;
+    } else {
         push(q, VM_EVENT_MOUSE);
+    }
 }
 
 static void on_button(GLFWwindow *handle, int button, int action, int mods)

@@ -80,7 +80,7 @@
 #define INPUT_TABLET_Y         0x210 /* read, signed */
 #define INPUT_TABLET_Z         0x214 /* read: height above the surface where the kind measures it, else 0 */
 #define INPUT_TABLET_PROXIMITY 0x218 /* read */
-#define TABLET_FAR             0     /* X, Y, Z are the last ones measured */
+#define TABLET_FAR             0 /* one report when it has gone; X, Y, Z are the last measured */
 #define TABLET_NEAR            1
 #define TABLET_TOUCH           2
 #define INPUT_TABLET_BUTTONS                                                                       \
@@ -88,13 +88,17 @@
 #define INPUT_TABLET_SERIAL 0x220 /* read: number of this report, modulo 2^32: gaps are losses */
 
 #define INPUT_TABLET_UNIT   0x230 /* read: nanometres a count */
-#define INPUT_TABLET_WIDTH  0x234 /* read: counts */
+#define INPUT_TABLET_WIDTH  0x234 /* read: counts; resistive: along the sheet */
 #define INPUT_TABLET_HEIGHT 0x238 /* read: counts */
 #define INPUT_TABLET_RATE   0x23C /* read: reports in 1000 s */
-/* What the device measures, before it is made into X and Y: sonic: the travel times of the sound to
- * microphones 0 … 3, ns; resistive: currents at the left, right, lower, upper edge, parts of 65536 of
- * their sum; electrical: numbers of the strongest wire across and up, and their strength and that of
- * the stronger neighbour. */
+/* What the device measures, before it is made into X and Y, of the report:
+ *   sonic: 0 … 3: travel times of the sound to the microphones lower left, lower right, upper left, upper
+ *     right, ns. The second and third stand above the surface.
+ *   resistive: 0, 1: currents at the left and right edge, parts of 65536 of their sum; 2, 3: at the lower
+ *     and upper edge, of theirs.
+ *   electrical: 0, 1: numbers of the strongest loop of wires across and up; loop n has its middle
+ *     (n - 1) times the pitch from the corner. 2, 3: across, its signal and that of the stronger
+ *     neighbour; 4, 5: up; parts of 65536 of the signal of a stylus that touches in the middle of a loop. */
 #define INPUT_TABLET_RAW 0x240 /* read: 4 words of it (electrical: 6) */
 #define TABLET_RAW_WORDS 6
 

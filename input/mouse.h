@@ -4,10 +4,20 @@
  *
  * Models:     mechanical: a roller turns two slotted wheels, each between a light and two detectors a quarter
  *             of a slot apart; each change of light is a count, its direction by which detector leads.
- *             optical: dark lines of a pad crossed, each a count. Lifted, it moves without counting. Counters
- *             that follow at most so many counts a second on each axis: faster movement loses counts,
- *             which a status bit tells.
- * Time:       picoseconds since power-on. Counts come when the hand crosses them.
+ *             optical: dark lines of a pad, as wide as the light between them; a count when the first
+ *             detector comes off a line onto light, or back, the second being dark: one a line crossed.
+ *             Lifted, it moves without counting: the roller stands still; the pad is out of sight.
+ * Overrun:    the counters follow `fastest` counts a second on each axis, evenly. A straight move slower
+ *             than that loses nothing. Of a faster one, count k comes when the hand has crossed so many
+ *             and not before free + (k - 1) / fastest, `free` being when the move began, or when the counts
+ *             before it were through if that is later; what has not come when the move ends is missing,
+ *             and MOUSE_OVERRUN is set then. Whole counts are missing: the detectors' light still fits.
+ *             A move of duration 0 is what a window tells of afterwards: it counts as having taken the time
+ *             since the counts before it were through, at most INP_MOUSE_WHILE, and its counts are
+ *             there at once. So 60 moves a second lose nothing below `fastest` all in all.
+ * Moves:      one begins where the hand has come to; what was left of the one before is not made.
+ * Time:       picoseconds since power-on. Counts come when the hand crosses them, to the picosecond.
+ * Units:      places in whole picometres, so that sums of moves never drift.
  * Ownership:  the caller owns the struct; the setup must outlive it. Allocates nothing.
  * Errors:     none; guest trouble is a bit of the status register.
  */
@@ -18,9 +28,9 @@
 #include <stdint.h>
 
 #include "crt/state.h"
+#include "crt/ticks.h"
 #include "crt/tube_table.h"
 #include "input/act.h"
-#include "input/hand.h"
 #include "input/input_regs.h"
 
 /* X(field, unit, value, low, high, meaning, source) */
@@ -41,20 +51,33 @@ struct inp_mouse_desc {
     const struct inp_mouse_setup *setup;
 };
 
+/* So long before it a move of duration 0 has begun at most, ps. */
+#define INP_MOUSE_WHILE (50 * CRT_PS_PER_MS)
+
+/* One axis: x, y. Within a move, the hand has gone way · (t - t0) / (t1 - t0) from `from`. */
+struct inp_mouse_axis {
+    int64_t from;   /* pm, from a slot's or a line's beginning; 0 … one period */
+    int64_t way;    /* pm */
+    uint64_t done;  /* counts of this move that have come */
+    uint64_t free;  /* when the counter can take the first count of this move */
+    uint32_t count; /* modulo 2^32 */
+};
+
 struct inp_mouse {
     struct inp_mouse_desc desc;
-    struct inp_hand hand; /* where it has come to on the pad; there: not lifted */
     unsigned buttons;
     uint32_t status;
-    int64_t x, y; /* counted */
     /* Private: see mouse.c. */
-    uint64_t counted; /* everything until then has been counted */
+    bool lifted, moving;
+    uint64_t t0, t1; /* of the last move */
+    struct inp_mouse_axis axis[2];
 };
 
 void inp_mouse_init(struct inp_mouse *mouse, const struct inp_mouse_desc *desc);
 void inp_mouse_reset(struct inp_mouse *mouse, uint64_t t);
 void inp_mouse_act(struct inp_mouse *mouse, const struct inp_act *act, uint64_t t);
-/* When the next count is due; UINT64_MAX: none is. */
+/* When MOVED is next set by a count (while it stands, counts need no event: reads tell them at their time), or
+ * the move under way ends; UINT64_MAX: neither comes. */
 uint64_t inp_mouse_next(const struct inp_mouse *mouse);
 bool inp_mouse_event(struct inp_mouse *mouse, uint64_t t); /* true: something changed */
 bool inp_mouse_read(const struct inp_mouse *mouse, uint32_t offset, uint64_t t, uint32_t *value);

@@ -36,13 +36,29 @@
 #define INP_PEN_FIGURES(X)                                                                         \
     X(aperture, "mm", 3, 2, 5, "diameter of what the pen sees",                                    \
       "estimate: 2 to 5 mm are quoted for pens of the time")                                       \
-    X(threshold, "ucd", 1, 0.001, 1e6, "signal at which it fires", "estimate")                     \
-    X(response, "us", 0.3, 0.001, 100, "time constant of the detector", "estimate")                \
-    X(delay, "us", 0.3, 0, 100, "from the threshold to the pulse at the interface", "estimate")    \
-    X(couple, "us", 20, 1, 1e5, "time constant of the AC coupling", "estimate")                    \
-    X(hold, "us", 2, 0.1, 1000, "how long the pulse stands", "estimate")                           \
-    X(noise, "ucd", 0.01, 0, 1e3, "noise of the amplifier, root mean square", "estimate")          \
-    X(room, "lx", 0, 0, 1e5, "light that falls on the screen where the pen looks", "the room's")
+    X(threshold, "ucd", 25, 0.001, 1e6, "signal at which it fires",                                \
+      "estimate: half of what a full line of the VR17's P39 gives")                                \
+    X(response, "us", 0.3, 0.01, 100, "time constant of the detector",                             \
+      "estimate: pens of the time took 0.3 to 1 us altogether")                                    \
+    X(delay, "us", 0.3, 0, 100, "from the threshold to the pulse at the interface",                \
+      "estimate: amplifier, comparator and cable")                                                 \
+    X(couple, "us", 20, 1, 1e5, "time constant of the AC coupling",                                \
+      "estimate: passes the beam, not lamps and afterglow")                                        \
+    X(hold, "us", 2, 0.1, 1000, "how long the pulse stands", "estimate: a one-shot")               \
+    X(noise, "ucd", 2, 0, 1e3, "noise of the amplifier, root mean square",                         \
+      "estimate: false firings in the dark must not happen")                                       \
+    X(room, "lx", 0, 0, 1e5, "light that falls on the screen where the pen looks", "the room's")   \
+    X(reflectance, "1", 0.3, 0, 1, "share of that light which the screen throws back",             \
+      "estimate: bare phosphor behind glass")                                                      \
+    X(shot, "ucd", 0.012, 0, 1e3, "noise of light: its variance a ucd of signal",                  \
+      "estimate: 500 lx double the noise")                                                         \
+    X(lamp, "Hz", 120, 1, 1e5, "flicker of the lamps", "twice the mains frequency")                \
+    X(ripple, "1", 0.1, 0, 1, "amplitude of that flicker, share of the mean",                      \
+      "estimate: tungsten lamps; fluorescent ones 0.3")                                            \
+    X(infrared, "1", 0, 0, 1,                                                                      \
+      "signal of a fast infrared band of a doped screen, share of its visible light",              \
+      "0: none; estimate: 0.001 for the doped P39 of the VR17")                                    \
+    X(infrared_decay, "us", 1, 0.01, 1000, "time constant of that band", "estimate")
 
 struct inp_pen_setup {
 #define X(field, unit, value, low, high, meaning, source) struct crt_figure field;
@@ -60,17 +76,44 @@ struct inp_pen_desc {
 
 #define INP_NEVER UINT64_MAX
 
+/* The phosphor's terms and the infrared band. */
+#define INP_PEN_TERMS (CRT_MAX_TERMS + 1)
+
+/* Worked out of setup, tube and knobs; private. Microseconds, millimetres, ucd. */
+struct inp_pen_model {
+    int terms;
+    double gain[INP_PEN_TERMS], tau[INP_PEN_TERMS]; /* signal for luminous power; time constant */
+    int colour[INP_PEN_TERMS];
+    double response, couple;
+    double radius, reach; /* of the aperture; and within which a beam can matter */
+    double sigma;         /* noise, room light included */
+    double ripple, lamp;  /* amplitude behind the coupling; radians per ps over 2 pi */
+    double stir;          /* what noise and ripple never exceed */
+    double threshold;
+    uint64_t delay, hold, cell; /* ps; cell: noise is independent from one to the next */
+    bool raster;
+    double power[CRT_MAX_GUNS]; /* raster tubes: of full drive */
+    double current[256];        /* raster tubes: of a dot */
+};
+
+/* What the pen remembers; private. */
+struct inp_pen_sight {
+    uint64_t t;                   /* what follows is as of this time */
+    double stored[INP_PEN_TERMS]; /* rate of light of each term within the aperture */
+    double fast, slow;            /* the detector's and the coupling's memory */
+    bool armed;
+    uint64_t pulse; /* when the pulse arrives that is on its way or stands; INP_NEVER */
+};
+
 struct inp_pen {
     struct inp_pen_desc desc;
     struct crt_knobs knobs;
     struct inp_hand hand; /* away at power-on */
     bool tip;             /* pressed */
-    /* Private: see pen.c. */
-    uint64_t t;                   /* what follows is as of this time */
-    double stored[CRT_MAX_TERMS]; /* µcd: rate of light of each phosphor term within the aperture */
-    double slow, fast;            /* the coupling's and the detector's memory, µcd */
-    bool armed;
-    uint64_t pulse; /* when the pulse arrives that is on its way or stands; INP_NEVER */
+    struct inp_pen_model model;
+    struct inp_pen_sight sight;
+    bool quiet;    /* nothing can make it fire without light */
+    uint64_t wake; /* raster head: when to look for a pulse without light */
 };
 
 void inp_pen_init(struct inp_pen *pen, const struct inp_pen_desc *desc);

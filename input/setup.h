@@ -5,7 +5,7 @@
  * Models:     nothing; the figures are those of pen.h, tablet.h, touch.h, mouse.h, keyboard.h.
  * Units:      there.
  * Ownership:  plain values; sources and names are constant.
- * Errors:     a key that is none of ours: INP_NOT_OURS; else one sentence.
+ * Errors:     one sentence.
  */
 #ifndef INPUT_SETUP_H
 #define INPUT_SETUP_H
@@ -39,8 +39,10 @@ bool inp_setup_set_kind(struct inp_setup *setup, const char *key, const char *va
 /* The figure "pen.aperture" …; NULL: there is none. */
 struct crt_figure *inp_setup_figure(struct inp_setup *setup, const char *key, const char **unit,
                                     const char **meaning);
-/* All of them in order, for lists and suggestions; NULL at the end. Its default and range. */
+/* All keys in order, kinds first, for lists and suggestions; NULL at the end. */
 const char *inp_setup_key(unsigned index);
+/* What a kind may be, NULL at the end; NULL: that key is a figure's. */
+const char *const *inp_setup_kinds(unsigned index);
 /* Whether the value lies within the range that the device can have. */
 bool inp_setup_check(const struct inp_setup *setup, const char *key, struct crt_error *err);
 

@@ -29,9 +29,26 @@
     X(columns, "1", 50, 10, 50, "beams across (optical)", "10 to 50 positions are usual")          \
     X(rows, "1", 50, 10, 50, "beams up (optical)", "as columns")                                   \
     X(steps, "1", 500, 100, 1000, "positions across and up (sonic, electrical)", "about 500")      \
-    X(rate, "Hz", 40, 10, 200, "scans a second", "estimate")                                       \
-    X(finger, "mm", 11, 3, 30, "width of the finger", "estimate")                                  \
-    X(noise, "mm", 0.1, 0, 5, "of a measurement, root mean square (sonic, electrical)", "estimate")
+    X(rate, "Hz", 40, 10, 200, "scans a second", "estimate: follows a finger within a picture")    \
+    X(finger, "mm", 11, 3, 30, "width of the finger (optical)", "estimate: tip of a forefinger")   \
+    X(noise, "mm", 0.1, 0, 5, "of a measurement, root mean square (sonic, electrical)",            \
+      "estimate: below a position")                                                                \
+    X(velocity, "m/s", 3100, 2000, 6000, "of surface waves in the glass (sonic)",                  \
+      "estimate: Rayleigh waves go at 0.92 of the 3.4 km/s of shear waves in soda-lime glass")     \
+    X(timer, "MHz", 20, 1, 100, "clock that measures the echo (sonic)",                            \
+      "estimate: 0.08 mm a tick, well below a position")                                           \
+    X(loss, "dB/m", 30, 0, 100, "by which the waves weaken on their way (sonic)",                  \
+      "estimate: some tenths of a decibel a centimetre at 5 MHz")                                  \
+    X(hear, "dB", 30, 6, 60, "weaker than at the near edge by this, echoes are unsure (sonic)",    \
+      "estimate: above the receiver's noise")                                                      \
+    X(force, "N", 0.3, 0.01, 5, "at which the plates touch (electrical)",                          \
+      "estimate: a light press; spacers hold the plates apart")                                    \
+    X(sheet, "ohm", 400, 50, 2000, "of the resistive plate from edge to edge (electrical)",        \
+      "estimate: tin oxide, some hundred ohms a square")                                           \
+    X(contact, "ohm", 500, 1, 1e5, "of the contact at 1 N; inversely as the force (electrical)",   \
+      "estimate: films pressed together")                                                          \
+    X(input, "ohm", 1e6, 1e5, 1e9, "load of what measures the voltage (electrical)",               \
+      "estimate: a junction field-effect amplifier with its bias resistor")
 
 struct inp_touch_setup {
     unsigned kind;   /* TOUCH_NONE … TOUCH_ELECTRICAL */
@@ -50,24 +67,40 @@ struct inp_touch_desc {
 /* What one scan finds. */
 struct inp_touch_report {
     bool touched, unsure;
-    uint32_t x, y; /* halves of positions */
+    uint32_t x, y; /* halves of positions; when not touched the last ones found */
     uint32_t raw[TOUCH_RAW_WORDS];
+};
+
+/* What has been found on one axis. */
+struct inp_touch_found {
+    bool found, unsure;
+    uint32_t at; /* halves of positions */
+};
+
+/* The scan under way: so many of its samples have been taken, beams or bursts or voltages. */
+struct inp_touch_scan {
+    unsigned sampled;
+    uint32_t raw[TOUCH_RAW_WORDS];
+    struct inp_touch_found axis[2];
 };
 
 struct inp_touch {
     struct inp_touch_desc desc;
     struct inp_hand hand; /* the finger; z is how hard it presses, newton: 0 is taken as 1 */
     uint32_t status, control;
-    uint64_t origin, scans; /* since it was switched on */
-    uint32_t serial;
-    struct inp_touch_report report;
+    uint64_t origin, scans;         /* since it was switched on */
+    uint32_t serial;                /* of `report` */
+    uint32_t made;                  /* reports since power-on, lost ones included, modulo 2^32 */
+    struct inp_touch_report report; /* for the program */
+    struct inp_touch_report last;   /* what the last scan found */
+    struct inp_touch_scan scan;
 };
 
 void inp_touch_init(struct inp_touch *touch, const struct inp_touch_desc *desc);
 void inp_touch_reset(struct inp_touch *touch, uint64_t t);
 void inp_touch_act(struct inp_touch *touch, const struct inp_act *act, uint64_t t);
 uint64_t inp_touch_next(const struct inp_touch *touch);
-bool inp_touch_event(struct inp_touch *touch, uint64_t t); /* true: a report was made */
+bool inp_touch_event(struct inp_touch *touch, uint64_t t); /* true: a report was made or lost */
 bool inp_touch_read(const struct inp_touch *touch, uint32_t offset, uint32_t *value);
 bool inp_touch_write(struct inp_touch *touch, uint32_t offset, uint32_t value, uint64_t t);
 bool inp_touch_ready(const struct inp_touch *touch);

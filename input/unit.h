@@ -30,9 +30,9 @@ struct inp_wires {
     /* Where the raster beam is; false: the head is off. NULL: there is none. */
     bool (*beam)(void *ctx, uint64_t t, uint32_t *line, uint32_t *dot, uint32_t *field);
     /* Keys to the console; may be NULL. */
-    void (*send)(void *ctx, const char *bytes, size_t length, uint64_t t);
-    /* A pen came to a screen or went: the machine offers light to pens that look only. May be NULL. */
-    void (*look)(void *ctx, enum inp_screen screen, bool looks);
+    bool (*send)(void *ctx, const char *bytes, size_t length, uint64_t t);
+    /* A pen came to a screen or went: the machine offers light to those that look only. May be NULL. */
+    void (*look)(void *ctx);
 };
 
 struct inp_unit_desc {
@@ -55,8 +55,11 @@ struct inp_unit {
     struct inp_touch touch;
     struct inp_keyboard keyboard;
     struct inp_mouse mouse;
+    uint64_t due; /* when a pulse reaches the display processor; INP_NEVER */
+    uint32_t due_count;
     uint32_t enable;
-    bool level; /* of the interrupt wire */
+    bool level;    /* of the interrupt wire */
+    uint64_t next; /* when something happens by itself next; INP_NEVER */
 };
 
 void inp_unit_init(struct inp_unit *unit, const struct inp_unit_desc *desc);
@@ -68,11 +71,12 @@ bool inp_unit_has(const struct inp_unit *unit, const struct inp_act *act);
 /* In millimetres, at its time. */
 void inp_unit_act(struct inp_unit *unit, const struct inp_act *act);
 
-/* When something happens by itself next; UINT64_MAX: never. And what happens then. */
-uint64_t inp_unit_next(const struct inp_unit *unit);
+/* What happens at unit->next. */
 void inp_unit_event(struct inp_unit *unit, uint64_t t);
 
-/* Light of the heads, as drawn. */
+/* Whether a pen looks at that screen now: else it needs no light. */
+bool inp_unit_looks(const struct inp_unit *unit, enum inp_screen screen);
+/* Light of the heads, as drawn; of one that a pen looks at. */
 void inp_unit_stroke(struct inp_unit *unit, const struct crt_stroke *stroke);
 void inp_unit_line(struct inp_unit *unit, const struct crt_scan_line *line);
 void inp_unit_set_knobs(struct inp_unit *unit, enum inp_screen screen, struct crt_knobs knobs);

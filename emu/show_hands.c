@@ -1,0 +1,429 @@
+/* show_hands.c — the host's mouse and keys as what a person does at the terminal: acts, which reach the
+ * devices at the simulated time at which they come. */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "emu/picture.h"
+#include "emu/show.h"
+#include "emu/side.h"
+#include "input/script.h"
+
+#define MOUSE_UM_PER_PIXEL                                                                         \
+    250                     /* a quarter of a millimetre of the hand: one pixel of usual monitors */
+#define STYLUS_NEAR_UM 5000 /* hovering */
+
+/* ---- acts ---------------------------------------------------------------------------------------
+ */
+
+/* At the next whole microsecond, so that a script can say it. */
+static uint64_t stamp(const struct vm_machine *m)
+{
+    return (m->now + CRT_PS_PER_US - 1) / CRT_PS_PER_US * CRT_PS_PER_US;
+}
+
+static void do_act(struct vm_show *show, struct inp_act act)
+{
+    struct vm_rig *rig = &show->program->rig;
+    act.t = stamp(rig->machine);
+    if (!inp_unit_has(&rig->machine->devices, &act))
+        return;
+    if (!vm_operator_do(rig->person, &act)) {
+        vm_show_say(show, "not enough memory for what you do");
+        return;
+    }
+    rig->machine->done = vm_operator_before(rig->person, rig->machine->now);
+}
+
+/* ---- places -------------------------------------------------------------------------------------
+ */
+
+struct spot {
+    bool on; /* a screen */
+    enum vm_head head;
+    double x_mm, y_mm; /* from its middle */
+};
+
+static bool pick(const struct vm_show *show, enum vm_head head, struct vm_size size, double x,
+                 double y, struct spot *spot)
+{
+    spot->head = head;
+    spot->on = crt_glass_pick(show->glass[head], &show->program->lights.head[head], size.width,
+                              size.height, x, y, &spot->x_mm, &spot->y_mm);
+    return spot->on;
+}
+
+/* Which screen a window pixel shows, and where. */
+static struct spot spot_at(const struct vm_show *show, double x, double y)
+{
+    struct spot spot = {0};
+    struct vm_size window, size[VM_HEADS];
+    vm_window_size(show->window, &window.width, &window.height);
+    if (window.width <= 0 || window.height <= 0)
+        return spot;
+    vm_picture_sizes(&show->program->settings, show->view_drawn, window, size);
+    if (show->view_drawn != VM_VIEW_BOTH) {
+        pick(show, show->view_drawn == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR, window, x, y, &spot);
+        return spot;
+    }
+    double right = size[VM_VECTOR].width + VM_SIDE_GAP;
+    if (x < right)
+        pick(show, VM_VECTOR, size[VM_VECTOR], x, y, &spot);
+    else
+        pick(show, VM_RASTER, size[VM_RASTER], x - right, y, &spot);
+    return spot;
+}
+
+static int32_t um(double mm)
+{
+    return (int32_t)floor(fmin(fmax(mm * 1000, -INP_FURTHEST), INP_FURTHEST) + 0.5);
+}
+
+/* ---- one hand after the other -------------------------------------------------------------------
+ */
+
+static void move_pen(struct vm_show *show, const struct spot *spot)
+{
+    struct inp_act act = {.device = INP_PEN,
+                          .verb = spot->on ? INP_MOVE : INP_AWAY,
+                          .screen = (uint8_t)(spot->on ? spot->head : show->pen_head),
+                          .space = INP_MM,
+                          .x = um(spot->x_mm),
+                          .y = um(spot->y_mm)};
+    if (!spot->on && !show->hand_there)
+        return;
+    show->pen_head = (enum vm_head)act.screen;
+    show->hand_there = spot->on;
+    do_act(show, act);
+}
+
+/* The screen's addressable area lies in the middle of the tablet, as large as fits. */
+static void move_stylus(struct vm_show *show, const struct spot *spot)
+{
+    const struct inp_tablet_setup *tablet = &show->program->settings.setup.tablet;
+    struct inp_act act = {.device = INP_TABLET, .verb = INP_AWAY};
+    if (spot->on) {
+        const struct crt_tube_row *row = &show->program->settings.monitor[spot->head].row;
+        double scale =
+            fmin(tablet->width.value / row->width.value, tablet->height.value / row->height.value);
+        act.verb = INP_MOVE;
+        act.x = um(tablet->width.value / 2 + spot->x_mm * scale);
+        act.y = um(tablet->height.value / 2 + spot->y_mm * scale);
+        act.z = show->pressed & 1 ? 0 : STYLUS_NEAR_UM;
+    }
+    if (!spot->on && !show->hand_there)
+        return;
+    show->hand_there = spot->on;
+    do_act(show, act);
+}
+
+/* A finger is on the panel while the button is held. */
+static void move_finger(struct vm_show *show, const struct spot *spot)
+{
+    enum vm_head head = (enum vm_head)show->program->settings.setup.touch.screen;
+    bool touches = spot->on && spot->head == head && (show->pressed & 1);
+    if (!touches && !show->hand_there)
+        return;
+    show->hand_there = touches;
+    do_act(show, (struct inp_act){.device = INP_TOUCH,
+                                  .verb = touches ? INP_MOVE : INP_AWAY,
+                                  .screen = (uint8_t)head,
+                                  .space = INP_MM,
+                                  .x = um(spot->x_mm),
+                                  .y = um(spot->y_mm)});
+}
+
+static void move_mouse(struct vm_show *show, double x, double y)
+{
+    double dx = x - show->mouse_x, dy = show->mouse_y - y;
+    if (!show->mouse_known || (dx == 0 && dy == 0))
+        return;
+    do_act(show, (struct inp_act){.device = INP_MOUSE,
+                                  .verb = INP_MOVE,
+                                  .x = um(dx * MOUSE_UM_PER_PIXEL / 1000),
+                                  .y = um(dy * MOUSE_UM_PER_PIXEL / 1000)});
+}
+
+static void move(struct vm_show *show, double x, double y)
+{
+    struct spot spot = spot_at(show, x, y);
+    if (show->hand == VM_HAND_PEN)
+        move_pen(show, &spot);
+    else if (show->hand == VM_HAND_STYLUS)
+        move_stylus(show, &spot);
+    else if (show->hand == VM_HAND_FINGER)
+        move_finger(show, &spot);
+    else
+        move_mouse(show, x, y);
+    show->mouse_x = x;
+    show->mouse_y = y;
+    show->mouse_known = true;
+}
+
+/* Buttons of the host: left, right, middle; of the devices: left or tip, middle, right. */
+static void press(struct vm_show *show, int number, bool pressed)
+{
+    static const uint8_t code[] = {0, 2, 1};
+    struct inp_act act = {.verb = pressed ? INP_PRESS : INP_RELEASE,
+                          .screen = (uint8_t)show->pen_head};
+    if (number > 2)
+        return;
+    unsigned bit = 1u << code[number];
+    show->pressed = pressed ? show->pressed | bit : show->pressed & ~bit;
+    act.code = code[number];
+    act.device = show->hand == VM_HAND_PEN      ? INP_PEN
+                 : show->hand == VM_HAND_STYLUS ? INP_TABLET
+                 : show->hand == VM_HAND_MOUSE  ? INP_MOUSE
+                                                : INP_TOUCH;
+    bool has = show->hand == VM_HAND_PEN ? number == 0 : show->hand != VM_HAND_FINGER;
+    if (has && pressed && show->hand == VM_HAND_STYLUS)
+        move(show, show->mouse_x, show->mouse_y); /* down to the surface, then the switch */
+    if (has)
+        do_act(show, act);
+    if (show->hand == VM_HAND_FINGER || (show->hand == VM_HAND_STYLUS && !pressed))
+        move(show, show->mouse_x, show->mouse_y);
+}
+
+/* Whatever it holds it lets go. */
+static void let_go(struct vm_show *show)
+{
+    static const int number[] = {0, 2, 1};
+    for (int i = 0; i < 3; i++)
+        if (show->pressed >> i & 1)
+            press(show, number[i], false);
+}
+
+static void take_away(struct vm_show *show)
+{
+    static const struct spot nowhere = {0};
+    let_go(show);
+    if (show->hand == VM_HAND_PEN)
+        move_pen(show, &nowhere);
+    else if (show->hand == VM_HAND_STYLUS)
+        move_stylus(show, &nowhere);
+    show->hand_there = show->mouse_known = false;
+}
+
+static void take_up(struct vm_show *show, enum vm_hand hand)
+{
+    show->hand = hand;
+    vm_window_show_cursor(show->window, hand != VM_HAND_MOUSE);
+}
+
+void vm_show_first_hand(struct vm_show *show)
+{
+    const struct vm_shown *p = show->program;
+    enum vm_hand hand = vm_hand_of_name(p->input.hand);
+    if (hand == VM_HANDS)
+        hand = p->input.has_firmware ? VM_HAND_STYLUS : VM_HAND_PEN;
+    show->pressed = 0;
+    show->hand_there = show->mouse_known = false;
+    memset(show->held, 0, sizeof show->held);
+    show->key_waits = false;
+    for (int i = 0; i < VM_HANDS && !vm_hand_present(hand, &p->settings.setup); i++)
+        hand = (enum vm_hand)((hand + 1) % VM_HANDS);
+    take_up(show, hand);
+}
+
+void vm_show_next_hand(struct vm_show *show)
+{
+    const struct inp_setup *setup = &show->program->settings.setup;
+    char text[80];
+    enum vm_hand hand = show->hand;
+    for (int i = 0; i < VM_HANDS; i++) {
+        hand = (enum vm_hand)((hand + 1) % VM_HANDS);
+        if (!vm_hand_present(hand, setup))
+            continue;
+        take_away(show);
+        take_up(show, hand);
+        snprintf(text, sizeof text, "the mouse is a %s - F9", vm_hand_title(hand));
+        vm_show_say(show, text);
+        return;
+    }
+    vm_show_say(show, "no pointing device is connected");
+}
+
+bool vm_show_ring(const struct vm_show *show, double *x, double *y, double *radius)
+{
+    if (show->hand != VM_HAND_PEN || !show->hand_there)
+        return false;
+    struct spot here = spot_at(show, show->mouse_x, show->mouse_y);
+    struct spot beside = spot_at(show, show->mouse_x + 8, show->mouse_y);
+    if (!here.on || !beside.on || beside.head != here.head)
+        return false;
+    double pitch = hypot(beside.x_mm - here.x_mm, beside.y_mm - here.y_mm) / 8;
+    *x = show->mouse_x;
+    *y = show->mouse_y;
+    *radius = pitch > 0 ? show->program->settings.setup.pen.aperture.value / 2 / pitch : 0;
+    return *radius > 0;
+}
+
+/* ---- keys ---------------------------------------------------------------------------------------
+ */
+
+static uint8_t code_of(enum vm_key key)
+{
+    static const struct {
+        enum vm_key key;
+        uint8_t code;
+    } others[] = {
+        {VM_KEY_ENTER, KEYCODE_ENTER},
+        {VM_KEY_TAB, KEYCODE_TAB},
+        {VM_KEY_BACKSPACE, KEYCODE_BACKSPACE},
+        {VM_KEY_ESCAPE, KEYCODE_ESCAPE},
+        {VM_KEY_UP, KEYCODE_UP},
+        {VM_KEY_DOWN, KEYCODE_DOWN},
+        {VM_KEY_LEFT, KEYCODE_LEFT},
+        {VM_KEY_RIGHT, KEYCODE_RIGHT},
+        {VM_KEY_HOME, KEYCODE_HOME},
+        {VM_KEY_END, KEYCODE_END},
+        {VM_KEY_INSERT, KEYCODE_INSERT},
+        {VM_KEY_DELETE, KEYCODE_DELETE},
+        {VM_KEY_PAGE_UP, KEYCODE_PAGE_UP},
+        {VM_KEY_PAGE_DOWN, KEYCODE_PAGE_DOWN},
+        {VM_KEY_LEFT_SHIFT, KEYCODE_SHIFT},
+        {VM_KEY_RIGHT_SHIFT, KEYCODE_SHIFT},
+        {VM_KEY_LEFT_CONTROL, KEYCODE_CONTROL},
+        {VM_KEY_LEFT_ALT, KEYCODE_ALT},
+        {VM_KEY_RIGHT_ALT, KEYCODE_ALT},
+        {VM_KEY_CAPS_LOCK, KEYCODE_CAPS_LOCK},
+        {VM_KEY_LEFT_SUPER, KEYCODE_SUPER},
+        {VM_KEY_RIGHT_SUPER, KEYCODE_SUPER},
+        {VM_KEY_MENU, KEYCODE_MENU},
+        {VM_KEY_KP_DECIMAL, KEYCODE_PAD_POINT},
+        {VM_KEY_KP_DIVIDE, KEYCODE_PAD_DIVIDE},
+        {VM_KEY_KP_MULTIPLY, KEYCODE_PAD_TIMES},
+        {VM_KEY_KP_SUBTRACT, KEYCODE_PAD_MINUS},
+        {VM_KEY_KP_ADD, KEYCODE_PAD_PLUS},
+        {VM_KEY_KP_ENTER, KEYCODE_PAD_ENTER},
+        {VM_KEY_KP_EQUAL, KEYCODE_PAD_EQUAL},
+    };
+    if (key >= ' ' && key < 0x7F)
+        return (uint8_t)key;
+    if (key >= VM_KEY_F1 && key <= VM_KEY_F12)
+        return (uint8_t)(KEYCODE_F1 + (key - VM_KEY_F1));
+    if (key >= VM_KEY_KP_0 && key <= VM_KEY_KP_9)
+        return (uint8_t)(KEYCODE_PAD_0 + (key - VM_KEY_KP_0));
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++)
+        if (others[i].key == key)
+            return others[i].code;
+    return 0;
+}
+
+static void key(struct vm_show *show, uint8_t code, uint8_t character, bool pressed)
+{
+    if (code)
+        show->held[code] = pressed;
+    do_act(show, (struct inp_act){.device = INP_KEYBOARD,
+                                  .verb = pressed ? INP_PRESS : INP_RELEASE,
+                                  .code = code,
+                                  .character = character});
+}
+
+/* A key whose character has not come makes none. */
+static void press_waiting(struct vm_show *show, uint8_t character)
+{
+    if (!show->key_waits)
+        return;
+    show->key_waits = false;
+    key(show, show->waiting_code, character, true);
+}
+
+/* Ctrl with a letter makes a control character, whatever the layout. */
+static uint8_t control_character(const struct vm_event *event)
+{
+    enum vm_key k = event->u.key.key;
+    return (event->u.key.modifiers & VM_MOD_CONTROL) && k >= '@' && k <= '_' ? k & 0x1F : 0;
+}
+
+static void key_event(struct vm_show *show, const struct vm_event *event)
+{
+    uint8_t code = code_of(event->u.key.key);
+    if (event->u.key.action == VM_REPEAT || (!code && event->u.key.action != VM_PRESS))
+        return; /* the keyboard repeats by itself */
+    if (event->u.key.action == VM_RELEASE) {
+        if (show->held[code])
+            key(show, code, 0, false);
+        return;
+    }
+    uint8_t control = control_character(event);
+    if (control || code >= 0x80) {
+        key(show, code, control, true);
+        return;
+    }
+    show->key_waits = true;
+    show->waiting_code = code;
+}
+
+static void text_event(struct vm_show *show, uint32_t character)
+{
+    if (character >= 0x80) {
+        vm_show_say(show, "the keyboard is ASCII");
+        press_waiting(show, 0);
+    } else if (show->key_waits) {
+        press_waiting(show, (uint8_t)character);
+    } else {
+        key(show, 0, (uint8_t)character, true);
+    }
+}
+
+static void release_keys(struct vm_show *show)
+{
+    for (int code = 1; code < 256; code++)
+        if (show->held[code])
+            key(show, (uint8_t)code, 0, false);
+}
+
+/* ---- knobs --------------------------------------------------------------------------------------
+ */
+
+void vm_show_turn(struct vm_show *show, enum vm_head head)
+{
+    const struct crt_knobs *k = &show->knobs;
+    const double value[INP_KNOBS] = {k->brightness, k->contrast, k->focus};
+    for (int knob = 0; knob < INP_KNOBS; knob++)
+        do_act(show, (struct inp_act){.device = INP_KNOB,
+                                      .verb = INP_TURN,
+                                      .screen = (uint8_t)head,
+                                      .code = (uint8_t)knob,
+                                      .x = um(value[knob])});
+}
+
+/* ---- events -------------------------------------------------------------------------------------
+ */
+
+void vm_show_hand_event(struct vm_show *show, const struct vm_event *event)
+{
+    if (event->kind == VM_EVENT_TEXT) {
+        text_event(show, event->u.text.character);
+        return;
+    }
+    press_waiting(show, 0);
+    switch (event->kind) {
+    case VM_EVENT_GUEST_KEY:
+    case VM_EVENT_HOST_KEY:
+        key_event(show, event);
+        break;
+    case VM_EVENT_MOUSE:
+        move(show, event->x, event->y);
+        break;
+    case VM_EVENT_BUTTON:
+        if (event->x != show->mouse_x || event->y != show->mouse_y || !show->mouse_known)
+            move(show, event->x, event->y);
+        press(show, event->u.button.number, event->u.button.pressed);
+        break;
+    case VM_EVENT_FOCUS:
+        if (!event->u.focus.gained) {
+            release_keys(show);
+            take_away(show);
+        }
+        break;
+    default:
+        break;
+    }
+}
+
+void vm_show_hand_flush(struct vm_show *show)
+{
+    press_waiting(show, 0);
+}

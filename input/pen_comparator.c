@@ -1,0 +1,203 @@
+#include "input/pen_parts.h"
+
+#include <math.h>
+
+#include "crt/maths.h"
+#include "input/noise.h"
+
+#define TWO_PI 6.28318530717958648
+#define EXACT  2.5e-7 /* us to which a crossing is found */
+#define TRIES  64     /* of a bisection: more than enough for any stretch */
+
+/* A stretch of constant noise: V + stir against the threshold. */
+struct stretch {
+    const struct pen_course *course;
+    double a, b, stir; /* us */
+};
+
+double pen_stir_of(const struct inp_pen *pen, uint64_t cell)
+{
+    const struct inp_pen_model *m = &pen->model;
+    double stir = 0;
+    if (m->sigma > 0)
+        stir = m->sigma * inp_noise_normal(pen->desc.seed, cell);
+    if (m->ripple > 0) {
+        double turns = ((double)cell + 0.5) * (double)m->cell * m->lamp;
+        stir += m->ripple * crt_sin(TWO_PI * (turns - floor(turns)));
+    }
+    return stir;
+}
+
+/* ---- crossings ---------------------------------------------------------------------------------- */
+
+/* sign·V has come from below sign·level at a to above it at b: when, just above. */
+static double cross(const struct pen_course *course, double a, double b, double level, double sign)
+{
+    for (int i = 0; i < TRIES && b - a > EXACT; i++) {
+        double middle = a + (b - a) / 2;
+        if (sign * (pen_course_at(course, middle) - level) >= 0)
+            b = middle;
+        else
+            a = middle;
+    }
+    return b;
+}
+
+/* sign·V rises at a and falls at b: the summit between. */
+static double summit(const struct pen_course *course, double a, double b, double sign)
+{
+    for (int i = 0; i < TRIES && b - a > EXACT; i++) {
+        double middle = a + (b - a) / 2;
+        if (sign * pen_course_slope(course, middle) > 0)
+            a = middle;
+        else
+            b = middle;
+    }
+    return a;
+}
+
+/* When in [a, b] sign·V first reaches sign·level; below 0: never. */
+static double reaches(const struct stretch *s, double level, double sign)
+{
+    if (sign * (pen_course_at(s->course, s->a) - level) >= 0)
+        return s->a;
+    if (sign * (pen_course_at(s->course, s->b) - level) >= 0)
+        return cross(s->course, s->a, s->b, level, sign);
+    if (sign * pen_course_slope(s->course, s->a) <= 0 ||
+        sign * pen_course_slope(s->course, s->b) >= 0)
+        return -1;
+    double top = summit(s->course, s->a, s->b, sign);
+    if (sign * (pen_course_at(s->course, top) - level) >= 0)
+        return cross(s->course, s->a, top, level, sign);
+    return -1;
+}
+
+/* One pulse at a time: what comes while one is on its way or stands makes no other. */
+static void fire(const struct inp_pen_model *m, struct inp_pen_sight *sight, double us)
+{
+    uint64_t when = sight->t + (uint64_t)ceil(us * 1e6);
+    sight->armed = false;
+    if (sight->pulse == INP_NEVER || (!m->raster && when > sight->pulse + m->hold))
+        sight->pulse = when + m->delay;
+}
+
+/* The comparator within a stretch, which has room for a dip and a summit. */
+static void compare(const struct inp_pen_model *m, struct inp_pen_sight *sight, struct stretch s)
+{
+    for (int turn = 0; turn < 4; turn++) {
+        double level = sight->armed ? m->threshold : m->threshold / 2;
+        double at = reaches(&s, level - s.stir, sight->armed ? 1 : -1);
+        if (at < 0)
+            return;
+        if (sight->armed)
+            fire(m, sight, at);
+        else
+            sight->armed = true;
+        s.a = at;
+    }
+}
+
+/* ---- going on in time --------------------------------------------------------------------------- */
+
+/* Nothing can happen while the signal stays below `most`, noise included: but that it is armed. */
+static bool idle(const struct inp_pen_model *m, struct inp_pen_sight *sight, double most)
+{
+    if (most < m->threshold / 2)
+        sight->armed = true;
+    return sight->armed && most < m->threshold;
+}
+
+/* Between what the signal stays from now until `us` later. Spans are such that it turns but once in
+ * each, so that the ends tell. */
+struct bounds {
+    double low, high;
+};
+
+static struct bounds bounds_of(const struct pen_course *course, double us)
+{
+    double a = course->start, b = pen_course_at(course, us);
+    double turn = pen_course_slope(course, 0) * pen_course_slope(course, us);
+    if (turn >= 0)
+        return (struct bounds){fmin(a, b), fmax(a, b)};
+    return (struct bounds){-HUGE_VAL, pen_course_most(course, us)};
+}
+
+/* Whether with noise between `least` and `most` nothing can happen but that it is armed. */
+static bool pointless(const struct inp_pen_model *m, struct inp_pen_sight *sight,
+                      const struct bounds *v, double least, double most)
+{
+    if (sight->armed || v->high + most < m->threshold / 2)
+        return idle(m, sight, v->high + most);
+    return v->low + least >= m->threshold / 2;
+}
+
+static void search(const struct inp_pen *pen, struct inp_pen_sight *sight,
+                   const struct pen_course *course, uint64_t span, bool first)
+{
+    const struct inp_pen_model *m = &pen->model;
+    const struct bounds v = bounds_of(course, (double)span * 1e-6);
+    if (pointless(m, sight, &v, -m->stir, m->stir))
+        return;
+    for (uint64_t at = 0; at < span && !(first && sight->pulse != INP_NEVER);) {
+        uint64_t end = span;
+        double stir = 0;
+        if (m->stir > 0) {
+            uint64_t cell = (sight->t + at) / m->cell, left = (cell + 1) * m->cell - sight->t;
+            end = left < span ? left : span;
+            stir = pen_stir_of(pen, cell);
+        }
+        if (!pointless(m, sight, &v, stir, stir))
+            compare(m, sight,
+                    (struct stretch){course, (double)at * 1e-6, (double)end * 1e-6, stir});
+        at = end;
+    }
+}
+
+void pen_run(const struct inp_pen *pen, struct inp_pen_sight *sight, struct pen_input input,
+             uint64_t until, bool first)
+{
+    const struct inp_pen_model *m = &pen->model;
+    struct pen_course course;
+    for (uint64_t span = m->cell / 4 + 1; sight->t < until; span += span) {
+        uint64_t left = until - sight->t;
+        pen_course_begin(&course, m, sight, &input);
+        if (!idle(m, sight, pen_course_most(&course, (double)left * 1e-6) + m->stir)) {
+            left = span < left ? span : left;
+            search(pen, sight, &course, left, first);
+            if (first && sight->pulse != INP_NEVER)
+                return;
+        }
+        pen_course_end(&course, sight, left);
+        for (int c = 0; c < CRT_MAX_COLOURS; c++)
+            input.power[c] += input.slope[c] * ((double)left * 1e-6);
+    }
+}
+
+static const struct pen_input no_light;
+
+void pen_dark(const struct inp_pen *pen, struct inp_pen_sight *sight, uint64_t until)
+{
+    const struct inp_pen_model *m = &pen->model;
+    /* Of the vector head older pulses are lost; of the raster head nobody asked for them. */
+    uint64_t memory = m->raster ? UINT64_C(2000000000) : m->delay + m->hold;
+    if (sight->t >= until)
+        return;
+    if (m->stir > 0 && until - sight->t > memory && sight->pulse == INP_NEVER) {
+        struct pen_course course;
+        pen_course_begin(&course, m, sight, &no_light);
+        if (!idle(m, sight, pen_course_most(&course, 1e300) + m->stir)) {
+            pen_course_end(&course, sight, until - memory - sight->t);
+            double v = sight->fast - sight->slow;
+            sight->armed = v < m->threshold / 2 || (sight->armed && v < m->threshold);
+        }
+    }
+    pen_run(pen, sight, no_light, until, false);
+}
+
+bool pen_is_quiet(const struct inp_pen *pen, const struct inp_pen_sight *sight)
+{
+    struct pen_course course;
+    pen_course_begin(&course, &pen->model, sight, &no_light);
+    return sight->pulse == INP_NEVER &&
+           pen_course_most(&course, 1e300) + pen->model.stir < pen->model.threshold;
+}

@@ -1,0 +1,182 @@
+#include "input/setup.h"
+
+#include <stddef.h>
+#include <string.h>
+
+struct row {
+    const char *key, *unit;
+    size_t offset; /* of the figure in struct inp_setup */
+    struct crt_figure figure;
+    const char *meaning;
+};
+
+#define ROW(device, field, unit, value, low, high, meaning, source)                                \
+    {#device "." #field,                                                                           \
+     unit,                                                                                         \
+     offsetof(struct inp_setup, device.field),                                                     \
+     {value, low, high, source},                                                                   \
+     meaning},
+
+static const struct row rows[] = {
+#define X(field, unit, value, low, high, meaning, source)                                          \
+    ROW(pen, field, unit, value, low, high, meaning, source)
+    INP_PEN_FIGURES(X)
+#undef X
+#define X(field, unit, value, low, high, meaning, source)                                          \
+    ROW(tablet, field, unit, value, low, high, meaning, source)
+        INP_TABLET_FIGURES(X)
+#undef X
+#define X(field, unit, value, low, high, meaning, source)                                          \
+    ROW(touch, field, unit, value, low, high, meaning, source)
+            INP_TOUCH_FIGURES(X)
+#undef X
+#define X(field, unit, value, low, high, meaning, source)                                          \
+    ROW(mouse, field, unit, value, low, high, meaning, source)
+                INP_MOUSE_FIGURES(X)
+#undef X
+#define X(field, unit, value, low, high, meaning, source)                                          \
+    ROW(keyboard, field, unit, value, low, high, meaning, source)
+                    INP_KEYBOARD_FIGURES(X)
+#undef X
+};
+
+enum { ROWS = sizeof rows / sizeof *rows };
+
+static struct crt_figure *figure_at(struct inp_setup *setup, size_t offset)
+{
+    return (struct crt_figure *)(void *)((char *)setup + offset);
+}
+
+void inp_setup_default(struct inp_setup *setup)
+{
+    memset(setup, 0, sizeof *setup);
+    setup->has_pen = setup->has_keyboard = true;
+    setup->tablet.kind = TABLET_ELECTRICAL;
+    setup->touch.kind = TOUCH_OPTICAL;
+    setup->touch.screen = INP_RASTER;
+    setup->mouse.kind = MOUSE_MECHANICAL;
+    for (int i = 0; i < ROWS; i++)
+        *figure_at(setup, rows[i].offset) = rows[i].figure;
+}
+
+/* ---- kinds --------------------------------------------------------------------------------------
+ */
+
+static const char *const connected[] = {"none", "connected", NULL};
+static const char *const tablets[] = {"none", "electrical", "sonic", "resistive", NULL};
+static const char *const panels[] = {"none", "optical", "sonic", "electrical", NULL};
+static const char *const mice[] = {"none", "mechanical", "optical", NULL};
+static const char *const screens[] = {"vector", "raster", NULL};
+
+static const struct {
+    const char *key;
+    const char *const *names;
+} kinds[] = {{"pen", connected}, {"keyboard", connected}, {"tablet", tablets},
+             {"touch", panels},  {"mouse", mice},         {"touch.screen", screens}};
+
+enum { KINDS = sizeof kinds / sizeof *kinds };
+
+static void store_kind(struct inp_setup *setup, int kind, unsigned value)
+{
+    switch (kind) {
+    case 0:
+        setup->has_pen = value;
+        break;
+    case 1:
+        setup->has_keyboard = value;
+        break;
+    case 2:
+        setup->tablet.kind = value;
+        break;
+    case 3:
+        setup->touch.kind = value;
+        break;
+    case 4:
+        setup->mouse.kind = value;
+        break;
+    default:
+        setup->touch.screen = value;
+        break;
+    }
+}
+
+static bool no_such_kind(const char *key, const char *value, const char *const *names,
+                         struct crt_error *err)
+{
+    char list[80] = "";
+    size_t n = 0;
+    for (int i = 0; names[i]; i++) {
+        const char *between = i == 0 ? "" : names[i + 1] ? ", " : " or ";
+        n += strlen(between) + strlen(names[i]);
+        if (n < sizeof list)
+            strcat(strcat(list, between), names[i]);
+    }
+    return crt_fail(err, "%s=%.40s: there is no such kind; give %s", key, value, list);
+}
+
+bool inp_setup_set_kind(struct inp_setup *setup, const char *key, const char *value, bool *ours,
+                        struct crt_error *err)
+{
+    *ours = true;
+    for (int k = 0; k < KINDS; k++) {
+        if (strcmp(kinds[k].key, key) != 0)
+            continue;
+        for (unsigned i = 0; kinds[k].names[i]; i++)
+            if (strcmp(kinds[k].names[i], value) == 0) {
+                store_kind(setup, k, i);
+                return true;
+            }
+        return no_such_kind(key, value, kinds[k].names, err);
+    }
+    *ours = false;
+    return false;
+}
+
+/* ---- figures ------------------------------------------------------------------------------------
+ */
+
+static const struct row *row_of(const char *key)
+{
+    for (int i = 0; i < ROWS; i++)
+        if (strcmp(rows[i].key, key) == 0)
+            return &rows[i];
+    return NULL;
+}
+
+struct crt_figure *inp_setup_figure(struct inp_setup *setup, const char *key, const char **unit,
+                                    const char **meaning)
+{
+    const struct row *row = row_of(key);
+    if (!row)
+        return NULL;
+    if (unit)
+        *unit = row->unit;
+    if (meaning)
+        *meaning = row->meaning;
+    return figure_at(setup, row->offset);
+}
+
+const char *inp_setup_key(unsigned index)
+{
+    if (index < KINDS)
+        return kinds[index].key;
+    index -= KINDS;
+    return index < ROWS ? rows[index].key : NULL;
+}
+
+const char *const *inp_setup_kinds(unsigned index)
+{
+    return index < KINDS ? kinds[index].names : NULL;
+}
+
+bool inp_setup_check(const struct inp_setup *setup, const char *key, struct crt_error *err)
+{
+    const struct row *row = row_of(key);
+    struct inp_setup copy = *setup;
+    double value = figure_at(&copy, row->offset)->value;
+    if (value >= row->figure.low && value <= row->figure.high)
+        return true;
+    return crt_fail(err, "%s=%g is out of range: %s, %g to %g %s", key, value, row->meaning,
+                    row->figure.low, row->figure.high,
+                    strcmp(row->unit, "1") == 0 ? "" : row->unit);
+}
