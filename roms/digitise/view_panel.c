@@ -29,10 +29,10 @@ static void tablet(const struct session *s, struct panel *p)
              t->buttons & 1 ? '1' : '.', t->buttons & 2 ? '2' : '.', t->buttons & 4 ? '3' : '.',
              t->buttons & 8 ? '4' : '.');
     panel_line(p, INK_TEXT, text);
-    snprintf(text, sizeof text, "%.1f of %.1f reports/s", (double)session_rate(s),
+    snprintf(text, sizeof text, "%.1f of %.1f a second", (double)session_rate(s),
              (double)((float)s->facts.millihertz / 1000));
     panel_line(p, INK_TEXT, text);
-    snprintf(text, sizeof text, "%lu, lost %lu", (unsigned long)s->reading.reports,
+    snprintf(text, sizeof text, "%lu reports, lost %lu", (unsigned long)s->reading.reports,
              (unsigned long)s->reading.lost);
     panel_line(p, s->reading.lost ? INK_RED : INK_TEXT, text);
     for (int i = 0; i < 4; i += 2) {

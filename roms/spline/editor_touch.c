@@ -125,9 +125,9 @@ static void press(struct editor *e)
         hold(e, GRIP_POINT, index, e->model.point[index].at);
     else if (handle_near(e, e->at, &index, &out))
         hold(e, out ? GRIP_OUT : GRIP_IN, index, model_handle(&e->model, index, out));
-    else if (slider_near(e->at) || mark_near(e, e->at))
+    else if ((e->construction && slider_near(e->at)) || mark_near(e, e->at))
         hold(e, GRIP_PART, -1, e->at);
-    else if (e->at.x < MODEL_RIGHT + REACH)
+    else if (e->at.x < MODEL_RIGHT + REACH && e->at.y > SLIDER_Y + REACH)
         add(e);
 }
 

@@ -93,17 +93,18 @@ static bool typed(struct program *p)
 static bool pointed(struct program *p)
 {
     struct pointer *from = &p->pointer;
-    if (!pointer_poll(from))
-        return false;
-    editor_touch(&p->editor, &(struct editor_touch){.at = {from->at.x, from->at.y, 0},
-                                                    .near = from->near,
-                                                    .pressed = from->pressed,
-                                                    .pressed_now = from->pressed_now,
-                                                    .released_now = from->released_now,
-                                                    .second = from->buttons & ~p->buttons & 2});
-    p->buttons = from->buttons;
-    console(p);
-    return true;
+    bool changed = false;
+    for (; pointer_poll(from); changed = true) {
+        editor_touch(&p->editor, &(struct editor_touch){.at = {from->at.x, from->at.y, 0},
+                                                        .near = from->near,
+                                                        .pressed = from->pressed,
+                                                        .pressed_now = from->pressed_now,
+                                                        .released_now = from->released_now,
+                                                        .second = from->buttons & ~p->buttons & 2});
+        p->buttons = from->buttons;
+        console(p);
+    }
+    return changed;
 }
 
 static void draw(struct program *p)

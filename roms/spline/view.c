@@ -27,7 +27,7 @@ static void draw_hull(const struct editor *e, const struct curve *c, struct stag
         curve_b_spline(&e->model, &b) ? b.point + piece : curve_piece(c, piece);
     int count = convex_hull(points, c->order, corner);
     stage_heads(s, STAGE_RASTER);
-    stage_ink(s, (enum ink)ink_shade(RAMP_BLUE, 0.06f));
+    stage_ink(s, (enum ink)ink_shade(RAMP_BLUE, 0.03f));
     stage_area(s, corner, count);
     stage_heads(s, STAGE_BOTH);
     stage_ink(s, INK_BLUE);
