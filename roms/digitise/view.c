@@ -15,6 +15,11 @@ static void title(const struct session *s, struct stage *stage)
     stage_title(stage, text);
 }
 
+/* Two lines of a caption. */
+static const char keys[] =
+    "r paper  = x y  a affine   p points  l lines  s stream   n new  c close "
+    "x delete  h heights  t by time  < > spacing  + - tolerance  w write  q end";
+
 static void caption(const struct session *s, struct stage *stage)
 {
     char text[96];
@@ -26,9 +31,7 @@ static void caption(const struct session *s, struct stage *stage)
     } else if (s->message)
         stage_caption(stage, s->message);
     else
-        stage_caption(stage,
-                      "r refs = x y  a affine p point l line s stream n new x delete c close "
-                      "h heights t by time < > spacing + - tolerance w write e erase q end");
+        stage_caption(stage, keys);
 }
 
 static void cursor(const struct session *s, const struct graph *paper, struct stage *stage)

@@ -62,11 +62,15 @@ static const char *name_of(const struct continuity *c)
                             : "C0";
 }
 
+/* Of many joints, those that are not smooth. */
 void joints_draw(const struct curve *c, struct stage *s)
 {
+    enum { MANY = 10 };
     for (int i = 0; i < curve_joints(c); i++) {
         struct join join = curve_join(c, i);
         struct continuity how = continuity_of(&join);
+        if (curve_joints(c) > MANY && how.c2)
+            continue;
         stage_ink(s, how.g1 ? INK_GREEN : INK_RED);
         if (how.g1)
             stage_text_middle(s, join.p[0].x, join.p[0].y - 36, name_of(&how));

@@ -106,7 +106,7 @@ static void add_after(struct editor *e)
     }
     if (m->closed && m->count > 0)
         to %= m->count;
-    if (from >= 0 && to < m->count)
+    if (from >= 0 && to < m->count && to != from)
         at = vector3_times(vector3_sum(m->point[from].at, m->point[to].at), 0.5f);
     else if (from >= 0)
         at = vector3_sum(m->point[from].at, (struct vector3){60, -60, 0});

@@ -29,6 +29,7 @@ struct program {
     struct stage stage;
     struct pointer pointer;
     struct editor editor;
+    struct menu_kept menu;
     struct typed typed;
     struct points_reader reader;
     bool loading;
@@ -110,7 +111,7 @@ static bool pointed(struct program *p)
 static void draw(struct program *p)
 {
     stage_begin(&p->stage);
-    view_draw(&p->editor, &p->stage);
+    view_draw(&p->editor, &p->stage, &p->menu);
     stage_end(&p->stage);
     board_mark(p->stage.pictures);
 }

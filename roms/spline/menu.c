@@ -104,8 +104,74 @@ static void draw_item(const struct editor *e, struct stage *s, int i)
     stage_text(s, LEFT + 36, y + 9, label_of(e, &items[i]));
 }
 
-void menu_draw(const struct editor *e, struct stage *s)
+static void draw_items(const struct editor *e, struct stage *s, unsigned heads)
 {
+    stage_heads(s, heads);
     for (int i = 0; i < ITEMS; i++)
         draw_item(e, s, i);
+    stage_heads(s, STAGE_BOTH);
+}
+
+/* ---- pixels that are kept ------------------------------------------------------------------------ */
+
+/* All that the items show. */
+static uint64_t state_of(const struct editor *e)
+{
+    uint64_t state = e->model.parameter;
+    state = state * 4 + (e->chosen >= 0 ? (unsigned)e->model.point[e->chosen].joint : 3);
+    for (int i = 0; i < ITEMS; i++)
+        state = state * 4 + holds(e, items[i].key) * 2u + useful(e, items[i].key);
+    return state;
+}
+
+static bool place_kept(const struct stage *s, struct menu_kept *kept)
+{
+    float right = stage_canvas_x(s, LEFT + WIDTH), low = stage_canvas_y(s, bottom_of(ITEMS - 1));
+    kept->x = (int)stage_canvas_x(s, LEFT - 4) & ~3;
+    kept->y = (int)stage_canvas_y(s, TOP) - 1;
+    kept->width = ((int)right + 17 - kept->x) & ~15;
+    kept->height = (int)low + 3 - kept->y;
+    return s->canvas.bits == 8 && kept->x >= 0 && kept->y >= 0 &&
+           kept->x + kept->width <= s->canvas.width && kept->y + kept->height <= s->canvas.height &&
+           kept->width * kept->height <= MENU_PIXELS;
+}
+
+/* Four words at a time: memcpy of small libraries goes byte by byte. Rows of a canvas begin at multiples
+ * of 4. */
+static void copy_row(uint32_t *to, const uint32_t *from, int words)
+{
+    for (int i = 0; i < words; i += 4) {
+        uint32_t a = from[i], b = from[i + 1], c = from[i + 2], d = from[i + 3];
+        to[i] = a;
+        to[i + 1] = b;
+        to[i + 2] = c;
+        to[i + 3] = d;
+    }
+}
+
+/* From the canvas, or onto it. */
+static void copy_kept(const struct stage *s, struct menu_kept *kept, bool onto)
+{
+    int words = kept->width / 4;
+    for (int i = 0; i < kept->height; i++) {
+        uint8_t *pixels =
+            s->canvas.pixels + (uint32_t)(kept->y + i) * s->canvas.pitch + (uint32_t)kept->x;
+        uint32_t *row = (uint32_t *)(void *)pixels, *own = kept->pixels + i * words;
+        copy_row(onto ? row : own, onto ? own : row, words);
+    }
+}
+
+void menu_draw(const struct editor *e, struct stage *s, struct menu_kept *kept)
+{
+    uint64_t state = state_of(e);
+    if (kept->any && kept->state == state) {
+        copy_kept(s, kept, true);
+        draw_items(e, s, STAGE_VECTOR);
+        return;
+    }
+    draw_items(e, s, STAGE_BOTH);
+    kept->any = place_kept(s, kept);
+    kept->state = state;
+    if (kept->any)
+        copy_kept(s, kept, false);
 }

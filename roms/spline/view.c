@@ -4,7 +4,6 @@
 
 #include "roms/spline/brush.h"
 #include "roms/spline/hull.h"
-#include "roms/spline/menu.h"
 
 enum { POINT = 9, CHOSEN = 12, HANDLE = 7 };
 
@@ -99,11 +98,11 @@ static void draw_with_curve(const struct editor *e, const struct curve *c, struc
     }
 }
 
-void view_draw(const struct editor *e, struct stage *s)
+void view_draw(const struct editor *e, struct stage *s, struct menu_kept *menu)
 {
     struct curve c;
     const char *trouble = curve_of(&e->model, &c);
-    menu_draw(e, s);
+    menu_draw(e, s, menu);
     if (trouble) {
         draw_polygon(e, s);
         draw_points(e, s);

@@ -10,10 +10,11 @@
 #define ROMS_SPLINE_VIEW_H
 
 #include "roms/spline/editor.h"
+#include "roms/spline/menu.h"
 #include "roms/stage/stage.h"
 
 /* A whole picture. */
-void view_draw(const struct editor *editor, struct stage *stage);
+void view_draw(const struct editor *editor, struct stage *stage, struct menu_kept *menu);
 
 /* De Casteljau's lines, of B-splines de Boor's, at the part. */
 void construction_draw(const struct editor *editor, const struct curve *curve, struct stage *stage);
