@@ -30,7 +30,7 @@ static void draw_tooth(struct stage *s, struct vector3 from, struct vector3 to, 
 /* Each piece by itself, so that a jump of curvature at a joint is seen. */
 static void draw_piece(const struct curve *c, int piece, struct stage *s)
 {
-    int teeth = c->pieces == 1 ? 64 : c->pieces > 8 ? 8 : 14;
+    int teeth = c->pieces > 8 ? 7 : c->pieces > 1 ? 14 : c->order > 10 ? 32 : 64;
     struct vector3 before = {0, 0, 0};
     for (int i = 0; i <= teeth; i++) {
         float inside = scalar_min(scalar_max((float)i / (float)teeth, 1e-4f), 0.9999f);

@@ -3,7 +3,7 @@
 #include "roms/spline/brush.h"
 #include "roms/spline/view.h"
 
-enum { MARK = 12, STEP = 5 };
+enum { MARK = 12, STEP = 5, MANY = 10 /* points: their lines are enough */ };
 
 static const enum ink levels[] = {INK_GREEN, INK_VIOLET, INK_CYAN, INK_BLUE};
 
@@ -16,7 +16,7 @@ static enum ink ink_of(int level)
 static void draw_level(struct stage *s, const struct vector3 *p, int count, int level)
 {
     brush_path(s, p, count, ink_of(level));
-    for (int i = 0; i < count && count > 1; i++)
+    for (int i = 0; i < count && count > 1 && count + level <= MANY; i++)
         brush_point(s, p[i], STEP, ink_of(level));
 }
 

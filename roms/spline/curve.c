@@ -30,7 +30,6 @@ static float curvature_of(struct vector3 first, struct vector3 second)
     return cubed > 1e-12f ? (first.x * second.y - first.y * second.x) / cubed : 0;
 }
 
-/* `h`: of the piece. */
 static struct curve_place place_in(const struct curve *c, int piece, float u)
 {
     const struct vector3 *p = curve_piece(c, piece);
@@ -95,26 +94,39 @@ static float distance_at(const struct curve *c, float part, struct vector3 place
     return vector3_length(vector3_difference(point_at(c, part), place));
 }
 
-/* The nearest of samples, then intervals that shrink about it. */
-float curve_nearest(const struct curve *c, struct vector3 place, float *distance)
+/* From a sample on, in steps that shrink. */
+static float refine(const struct curve *c, struct vector3 place, float part, float step,
+                    float *least)
 {
-    int samples = samples_of(c);
-    float best = 0, least = distance_at(c, 0, place), step = 1 / (float)samples;
-    for (int i = 1; i <= samples; i++) {
-        float d = distance_at(c, (float)i * step, place);
-        best = d < least ? (float)i * step : best;
-        least = scalar_min(d, least);
-    }
     for (int i = 0; i < 12; i++) {
         step /= 2;
         for (int side = -1; side <= 1; side += 2) {
-            float part = scalar_min(scalar_max(best + (float)side * step, 0), 1);
-            float d = distance_at(c, part, place);
-            best = d < least ? part : best;
-            least = scalar_min(d, least);
+            float to = scalar_min(scalar_max(part + (float)side * step, 0), 1);
+            float d = distance_at(c, to, place);
+            part = d < *least ? to : part;
+            *least = scalar_min(d, *least);
         }
     }
-    *distance = least;
+    return part;
+}
+
+/* Samples that are nearer than their neighbours: the nearest place is beside one of them. */
+float curve_nearest(const struct curve *c, struct vector3 place, float *distance)
+{
+    int samples = samples_of(c);
+    float step = 1 / (float)samples, best = 0, before = 1e9f, here = distance_at(c, 0, place);
+    *distance = here;
+    for (int i = 0; i <= samples; i++) {
+        float after = i < samples ? distance_at(c, (float)(i + 1) * step, place) : 1e9f;
+        float least = here;
+        if (here <= before && here <= after) {
+            float part = refine(c, place, (float)i * step, step, &least);
+            best = least <= *distance ? part : best;
+            *distance = scalar_min(least, *distance);
+        }
+        before = here;
+        here = after;
+    }
     return best;
 }
 

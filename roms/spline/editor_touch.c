@@ -7,7 +7,7 @@
 
 enum { REACH = 26 }; /* of the stylus, stage units */
 
-static void keep(struct editor *e)
+static void keep_once(struct editor *e)
 {
     if (!e->kept)
         history_keep(&e->history, &e->model);
@@ -108,7 +108,7 @@ static void add(struct editor *e)
         e->message = "There is no room for more points.";
         return;
     }
-    keep(e);
+    keep_once(e);
     model_add(&e->model, index, e->at);
     hold(e, GRIP_POINT, index, e->model.point[index].at);
 }
@@ -152,12 +152,12 @@ static void drag(struct editor *e)
         drag_part(e);
         return;
     case GRIP_POINT:
-        keep(e);
+        keep_once(e);
         model_move(&e->model, e->chosen, to);
         return;
     case GRIP_IN:
     case GRIP_OUT:
-        keep(e);
+        keep_once(e);
         model_move_handle(&e->model, e->chosen, e->grip == GRIP_OUT, to);
         return;
     }

@@ -71,7 +71,7 @@ static void solve_cyclic(struct periodic_rows *rows)
 bool periodic_spline(const struct vector3 *p, int count, enum spline_parameter parameter,
                      struct spline *out)
 {
-    struct periodic_rows rows;
+    struct periodic_rows rows = {0};
     if (!place_ring(p, count, parameter, out))
         return false;
     set_up(p, out, &rows);
