@@ -4,7 +4,7 @@
 
 #include "roms/geometry/scalar.h"
 
-static const struct vector3 none = {0, 0, 0};
+static const struct vector3 no_handle = {0, 0, 0};
 
 static bool is_finite(struct vector3 v)
 {
@@ -83,7 +83,7 @@ static struct vector3 followed(enum model_joint joint, struct vector3 moved, str
 {
     float length = vector3_length(moved);
     if (joint == JOINT_CORNER || length == 0)
-        return joint == JOINT_C1 ? none : other;
+        return joint == JOINT_C1 ? no_handle : other;
     if (joint == JOINT_C1)
         return vector3_times(moved, -1);
     return vector3_times(moved, -vector3_length(other) / length);
