@@ -28,8 +28,11 @@ static bool coordinates(const char *text, struct point2 *out)
 /* Of the reference point that is touched next. */
 static void take_typed(struct session *s)
 {
+    struct point2 known;
     s->typing = false;
-    if (!coordinates(s->typed, &s->pair[s->touched].known))
+    if (coordinates(s->typed, &known))
+        s->pair[s->touched].known = known;
+    else
         s->message = "Two numbers are expected, millimetres.";
 }
 

@@ -17,7 +17,7 @@ static float distance2(const struct drawing_point *a, const struct drawing_point
 }
 
 /* The farthest between two that stay, if it is too far; else -1. */
-static int farthest(const struct drawing_point *p, int from, int to, float tolerance)
+static int thin_farthest(const struct drawing_point *p, int from, int to, float tolerance)
 {
     float most = tolerance * tolerance;
     int at = -1;
@@ -40,7 +40,7 @@ static void thin_between(const struct drawing_point *p, int from, int to, float 
     } waiting[WAITING];
     int count = 0;
     for (;;) {
-        int at = farthest(p, from, to, tolerance);
+        int at = thin_farthest(p, from, to, tolerance);
         if (at >= 0) {
             bool first = at - from < to - at; /* is the smaller part */
             keep[at] = true;
