@@ -26,11 +26,13 @@ TESTS     := $(wildcard tests/*/test_*.c)
 TEST_LIB  := $(wildcard tests/support/*.c)
 BENCHES   := $(wildcard tests/bench/bench_*.c)
 FUZZERS   := $(wildcard tests/fuzz/fuzz_*.c)
+FIGURES   := $(wildcard tests/figures/*.c)
 
 OBJECTS   := $(SOURCES:%.c=$(O)/%.o)
 KINESCOPE := $(O)/kinescope
 TEST_BINS := $(TESTS:%.c=$(O)/%)
 BENCH_BINS := $(BENCHES:%.c=$(O)/%)
+FIGURE_BINS := $(FIGURES:%.c=$(O)/%)
 REPLAY_BINS := $(FUZZERS:%.c=$(O)/%_replay)
 # Archives from the top of the include order down; each may use only those after it.
 ARCHIVES  := $(foreach d,emu input raster display_file crt,$(O)/lib$(d).a)
@@ -60,7 +62,7 @@ TEST_LIBS := -lcmocka -lmpfr -lgmp
 .DEFAULT_GOAL := all
 .SECONDARY:
 .DELETE_ON_ERROR:
-.PHONY: all demo test check sanitize tsan coverage bench golden lesson-pictures layers headers format clean help deps fuzz pictures
+.PHONY: all demo test check sanitize tsan coverage bench input-figures golden lesson-pictures layers headers format clean help deps fuzz pictures
 
 all: $(KINESCOPE)
 
@@ -97,7 +99,7 @@ $(O)/libsupport.a: $(TEST_LIB:%.c=$(O)/%.o)
 $(TEST_BINS): $(O)/%: $(O)/%.o $(O)/libsupport.a $(ARCHIVES)
 	$(CC) $(LDFLAGS) -o $@ $^ $(TEST_LIBS) $(LIBS)
 
-$(BENCH_BINS): $(O)/%: $(O)/%.o $(O)/libsupport.a $(ARCHIVES)
+$(BENCH_BINS) $(FIGURE_BINS): $(O)/%: $(O)/%.o $(O)/libsupport.a $(ARCHIVES)
 	$(CC) $(LDFLAGS) -o $@ $^ $(LIBS)
 
 $(REPLAY_BINS): $(O)/%_replay: $(O)/%.o $(O)/tests/fuzz/replay.o $(ARCHIVES)
@@ -145,6 +147,10 @@ coverage-run: $(REPLAY_BINS) $(TEST_BINS)
 bench: deps-test
 	@$(MAKE) $(JOBS) --no-print-directory all $(BENCH_BINS)
 	@tests/bench.sh $(BENCH_BINS)
+
+# Figures of input devices that are told in the README: tables, no timing.
+input-figures: all $(FIGURE_BINS)
+	@for f in $(FIGURE_BINS); do echo; echo "$$(basename $$f):"; $$f || exit 1; done
 
 # The pictures of the README (glass: they vary a little with the GL driver).
 pictures: all
@@ -204,6 +210,7 @@ help:
 	@echo "make tsan        all tests under ThreadSanitizer"
 	@echo "make coverage    lines of the readers and of display_file/ that corpora and tests run (gcov)"
 	@echo "make bench       speeds, as ratios within one run"
+	@echo "make input-figures   tables: how exact a light pen is, how late hands are seen"
 	@echo "make fuzz        run the fuzzers for FUZZ_SECONDS each (clang)"
 	@echo "make check       the tests of 'make test' without installing anything (TEST_ONLY=pattern)"
 	@echo "make golden      regenerate the golden traces and films (look at them before committing)"

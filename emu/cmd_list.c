@@ -1,10 +1,11 @@
-/* list — what there is to choose from: tubes, phosphors, video modes, programs; and why. */
+/* list — what there is to choose from: tubes, phosphors, video modes, input devices, programs; and why. */
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 #include "crt/catalogue_text.h"
 #include "emu/command.h"
+#include "emu/list_input.h"
 #include "emu/list_modes.h"
 #include "emu/roms.h"
 
@@ -103,7 +104,7 @@ static int list_modes(const struct options *o, const char *name)
 
 static int run(int argc, char **argv)
 {
-    static const char *const lists[] = {"tubes", "phosphors", "modes", "roms"};
+    static const char *const lists[] = {"tubes", "phosphors", "modes", "input", "roms"};
     struct options o = {0};
     const struct vm_option_table tables[] = {VM_OPTION_TABLE(rows, &o)};
     struct vm_args args;
@@ -119,15 +120,17 @@ static int run(int argc, char **argv)
         return list_rows(&o, what[0] == 't', name);
     if (strcmp(what, "modes") == 0)
         return list_modes(&o, name);
-    const char *near = vm_nearest(what, lists, 4);
+    if (strcmp(what, "input") == 0)
+        return vm_list_input(name, o.why, &err) ? VM_EXIT_OK : fail(VM_EXIT_USAGE, &err);
+    const char *near = vm_nearest(what, lists, 5);
     crt_fail(&err, "'%.60s' cannot be listed; give %s", what,
-             near ? near : "tubes, phosphors, modes or roms");
+             near ? near : "tubes, phosphors, modes, input or roms");
     return fail(VM_EXIT_USAGE, &err);
 }
 
 const struct vm_command vm_command_list = {
     "list",
-    "tubes|phosphors|modes|roms [--why]",
+    "tubes|phosphors|modes|input|roms [--why]",
     "List what there is to choose from",
     "With a NAME behind it or --why: every figure with the range it is believed to lie in and its "
     "source.",
@@ -136,6 +139,7 @@ const struct vm_command vm_command_list = {
     "  kinescope list phosphors --why\n"
     "  kinescope list modes\n"
     "  kinescope list modes 1024x768@60\n"
+    "  kinescope list input tablet\n"
     "  kinescope list tubes --tubes my-tubes.ini",
     run,
 };

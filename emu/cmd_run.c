@@ -10,7 +10,7 @@
 #include "emu/view.h"
 
 struct options {
-    bool headless, console, full_screen, gdb_anywhere, tour;
+    bool headless, console, full_screen, gdb_anywhere, tour, latency;
     const char *gdb, *record;
     struct vm_time length;
     struct vm_size size;
@@ -52,6 +52,10 @@ static const struct vm_option rows[] = {
      "write what is done with mouse and keys in the window, and by --input, as a script that "
      "--input "
      "does again, to the same bytes",
+     0, 0},
+    {"latency", 0, VM_OPT_FLAG, ROW(latency), "",
+     "when the window closes, say how long after an event of mouse or keys the picture came that "
+     "shows it",
      0, 0},
     {"tour", 0, VM_OPT_FLAG, ROW(tour), "", "a tour through the programs that come along", 0, 0},
 };
@@ -164,7 +168,8 @@ static int run_window(const struct options *o, const char *path)
                                 .length = o->length,
                                 .console = o->console,
                                 .saved = &o->saved,
-                                .record = o->record};
+                                .record = o->record,
+                                .latency = o->latency};
     err.text[0] = '\0';
     if (open_gdb(o, path, &desc.gdb, &status, &err))
         status = vm_show(&desc, &err);

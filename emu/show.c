@@ -184,6 +184,28 @@ static void look_after_program(struct vm_show *show, double now)
     }
 }
 
+/* The picture that was just shown holds what hands did until the frame began. */
+static void measure_latency(struct vm_show *show)
+{
+    if (show->event_since <= 0)
+        return;
+    double late = vm_window_time() - show->event_since;
+    show->late_sum += late;
+    show->late_most = fmax(show->late_most, late);
+    show->late_count++;
+    show->event_since = 0;
+}
+
+static void say_latency(const struct vm_show *show)
+{
+    if (show->late_count == 0)
+        fputs("nothing was done with mouse and keys\n", stderr);
+    else
+        fprintf(stderr,
+                "%u pictures showed what was done before them: %.1f ms after it, at most %.1f ms\n",
+                show->late_count, 1000 * show->late_sum / show->late_count, 1000 * show->late_most);
+}
+
 static void loop(struct vm_show *show)
 {
     struct vm_event event;
@@ -203,6 +225,7 @@ static void loop(struct vm_show *show)
         vm_show_note(show);
         vm_show_status(show, now);
         vm_show_draw(show, now);
+        measure_latency(show);
     }
 }
 
@@ -278,6 +301,8 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
         show->recording = desc->record != NULL;
         show->last_time = vm_window_time();
         loop(show);
+        if (desc->latency)
+            say_latency(show);
     }
     if (ok)
         ok = keep_record(show, 0, true, err);

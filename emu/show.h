@@ -40,6 +40,7 @@ struct vm_show_desc {
     struct vm_time length; /* close after this much simulated time, when given */
     bool console;          /* firmware's console is stdin and stdout */
     const struct vm_saved_options *saved;
+    bool latency;       /* say in the end how late hands were seen */
     const char *record; /* file for what is done in the window; NULL: none */
     struct vm_gdb *gdb; /* a debugger may come here; NULL: none */
 };
@@ -103,6 +104,12 @@ struct vm_show {
     bool held[256];          /* keys, by KEYCODE_… */
     bool key_waits;          /* pressed, its character has not come yet */
     uint8_t waiting_code;
+
+    /* How late hands are seen, from the event to the picture that shows it, host seconds. */
+    double event_time;  /* of the event being looked at */
+    double event_since; /* of the first event not yet shown; 0: none */
+    double late_sum, late_most;
+    unsigned late_count;
 
     bool recording;        /* of desc->record: until another program is shown */
     double recorded_since; /* host time */

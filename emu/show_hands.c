@@ -33,6 +33,7 @@ static void do_act(struct vm_show *show, struct inp_act act)
         return;
     }
     rig->machine->done = vm_operator_before(rig->person, rig->machine->now);
+    show->event_since = show->event_since > 0 ? show->event_since : show->event_time;
 }
 
 /* ---- places -------------------------------------------------------------------------------------
@@ -394,6 +395,7 @@ void vm_show_turn(struct vm_show *show, enum vm_head head)
 
 void vm_show_hand_event(struct vm_show *show, const struct vm_event *event)
 {
+    show->event_time = event->time;
     if (event->kind == VM_EVENT_TEXT) {
         text_event(show, event->u.text.character);
         return;

@@ -62,18 +62,24 @@ static const char *const named[256] = {
 static const char plain[] = "`1234567890-=[]\\;',./";
 static const char shifted[] = "~!@#$%^&*()_+{}|:\"<>?";
 
-/* Names of one character, each with its NUL. */
+/* Names of one character: of `plain` in its order, then letters. */
 static const char single[][2] = {"`", "1", "2", "3",  "4", "5", "6", "7", "8", "9", "0", "-",
                                  "=", "[", "]", "\\", ";", "'", ",", ".", "/", "A", "B", "C",
                                  "D", "E", "F", "G",  "H", "I", "J", "K", "L", "M", "N", "O",
                                  "P", "Q", "R", "S",  "T", "U", "V", "W", "X", "Y", "Z"};
+#define LETTERS (sizeof plain - 1) /* where they begin */
+
+static bool letter(uint8_t code)
+{
+    return code >= 'A' && code <= 'Z';
+}
 
 const char *inp_key_name(uint8_t code)
 {
-    for (size_t i = 0; i < sizeof single / sizeof *single; i++)
-        if ((uint8_t)single[i][0] == code)
-            return single[i];
-    return named[code];
+    const char *at = code ? strchr(plain, code) : NULL;
+    if (letter(code))
+        return single[LETTERS + (size_t)(code - 'A')];
+    return at ? single[at - plain] : named[code];
 }
 
 static char upper(char c)
@@ -91,11 +97,12 @@ static bool same(const char *name, const char *text, size_t length)
 
 uint8_t inp_key_named(const char *name, size_t length)
 {
-    for (unsigned code = 1; code < 256; code++) {
-        const char *other = inp_key_name((uint8_t)code);
-        if (other && same(other, name, length))
-            return (uint8_t)code;
-    }
+    uint8_t code = length == 1 ? (uint8_t)upper(*name) : 0;
+    if (code > ' ' && code < 0x80 && inp_key_name(code))
+        return code;
+    for (unsigned i = 0; i < 256; i++)
+        if (named[i] && same(named[i], name, length))
+            return (uint8_t)i;
     return 0;
 }
 
@@ -113,7 +120,7 @@ static uint8_t pad(uint8_t code)
 static uint8_t printable(uint8_t code, unsigned modifiers)
 {
     bool shift = modifiers & KEYMOD_SHIFT;
-    if (code >= 'A' && code <= 'Z')
+    if (letter(code))
         return (uint8_t)(shift != ((modifiers & KEYMOD_CAPS) != 0) ? code : code + ('a' - 'A'));
     const char *at = code ? strchr(plain, code) : NULL;
     if (!at)
@@ -162,13 +169,12 @@ uint8_t inp_key_of(uint8_t character, bool *shift)
     for (size_t i = 0; i < sizeof own / sizeof *own; i++)
         if (own[i].character == character)
             return own[i].code;
-    for (unsigned code = ' '; code < 0x7F; code++)
-        for (unsigned modifiers = 0; modifiers <= KEYMOD_SHIFT; modifiers += KEYMOD_SHIFT)
-            if (character && printable((uint8_t)code, modifiers) == character) {
-                *shift = modifiers != 0;
-                return (uint8_t)code;
-            }
-    return 0;
+    uint8_t code = (uint8_t)upper((char)character);
+    const char *at = character ? strchr(shifted, character) : NULL;
+    *shift = at || letter(character);
+    if (at)
+        return (uint8_t)plain[at - shifted];
+    return letter(code) || printable(code, 0) ? code : 0;
 }
 
 uint8_t inp_key_makes(uint8_t code, uint8_t character, unsigned modifiers)

@@ -121,7 +121,7 @@ uint64_t inp_keyboard_next(const struct inp_keyboard *keyboard)
 
 bool inp_keyboard_event(struct inp_keyboard *keyboard, uint64_t t)
 {
-    if (t < inp_keyboard_next(keyboard))
+    if (!keyboard->repeating || t < inp_keyboard_next(keyboard))
         return false;
     uint8_t code = keyboard->repeating, character = keyboard->character;
     keyboard->repeats = crt_tick_at(repeat_rate(keyboard), t - keyboard->repeat_from) + 1;
@@ -133,7 +133,7 @@ bool inp_keyboard_event(struct inp_keyboard *keyboard, uint64_t t)
 
 static void press(struct inp_keyboard *k, uint8_t code, uint8_t character, uint64_t t)
 {
-    if (is_held(k, code))
+    if (is_held(k, code) || (!code && !character))
         return;
     if (code)
         hold(k, code, true);

@@ -20,6 +20,7 @@
  * Units:      places in whole picometres, so that sums of moves never drift.
  * Ownership:  the caller owns the struct; the setup must outlive it. Allocates nothing.
  * Errors:     none; guest trouble is a bit of the status register.
+ * Not modelled: a roller that slips; turning the mouse, which turns its axes.
  */
 #ifndef INPUT_MOUSE_H
 #define INPUT_MOUSE_H
@@ -37,8 +38,10 @@
 #define INP_MOUSE_FIGURES(X)                                                                       \
     X(slot, "mm", 1, 0.05, 10, "way of the hand for one slot, four counts (mechanical)",           \
       "estimate: 100 counts an inch")                                                              \
-    X(line, "mm", 0.5, 0.05, 10, "from line to line of the pad (optical)", "estimate")             \
-    X(fastest, "1/s", 4000, 100, 1e6, "counts a second that the counters follow", "estimate")
+    X(line, "mm", 0.5, 0.05, 10, "from line to line of the pad (optical)",                         \
+      "estimate: 50 lines an inch")                                                                \
+    X(fastest, "1/s", 4000, 100, 1e6, "counts a second that the counters follow",                  \
+      "estimate: a metre a second at 100 counts an inch")
 
 struct inp_mouse_setup {
     unsigned kind; /* MOUSE_NONE … MOUSE_OPTICAL */

@@ -99,44 +99,21 @@ static void compare(const struct inp_pen_model *m, struct inp_pen_sight *sight, 
 
 /* ---- going on in time --------------------------------------------------------------------------- */
 
-/* Nothing can happen while the signal stays below `most`, noise included: but that it is armed. */
-static bool idle(const struct inp_pen_model *m, struct inp_pen_sight *sight, double most)
-{
-    if (most < m->threshold / 2)
-        sight->armed = true;
-    return sight->armed && most < m->threshold;
-}
-
-/* Between what the signal stays from now until `us` later. Spans are such that it turns but once in
- * each, so that the ends tell. */
-struct bounds {
-    double low, high;
-};
-
-static struct bounds bounds_of(const struct pen_course *course, double us)
-{
-    double a = course->start, b = pen_course_at(course, us);
-    double turn = pen_course_slope(course, 0) * pen_course_slope(course, us);
-    if (turn >= 0)
-        return (struct bounds){fmin(a, b), fmax(a, b)};
-    return (struct bounds){-HUGE_VAL, pen_course_most(course, us)};
-}
-
 /* Whether with noise between `least` and `most` nothing can happen but that it is armed. */
-static bool pointless(const struct inp_pen_model *m, struct inp_pen_sight *sight,
-                      const struct bounds *v, double least, double most)
+static bool idle(const struct inp_pen_model *m, struct inp_pen_sight *sight,
+                 const struct pen_bounds *v, double least, double most)
 {
-    if (sight->armed || v->high + most < m->threshold / 2)
-        return idle(m, sight, v->high + most);
-    return v->low + least >= m->threshold / 2;
+    if (v->high + most < m->threshold / 2)
+        sight->armed = true;
+    return sight->armed ? v->high + most < m->threshold : v->low + least >= m->threshold / 2;
 }
 
 static void search(const struct inp_pen *pen, struct inp_pen_sight *sight,
                    const struct pen_course *course, uint64_t span, bool first)
 {
     const struct inp_pen_model *m = &pen->model;
-    const struct bounds v = bounds_of(course, (double)span * 1e-6);
-    if (pointless(m, sight, &v, -m->stir, m->stir))
+    const struct pen_bounds v = pen_course_between(course, (double)span * 1e-6);
+    if (idle(m, sight, &v, -m->stir, m->stir))
         return;
     for (uint64_t at = 0; at < span && !(first && sight->pulse != INP_NEVER);) {
         uint64_t end = span;
@@ -146,13 +123,15 @@ static void search(const struct inp_pen *pen, struct inp_pen_sight *sight,
             end = left < span ? left : span;
             stir = pen_stir_of(pen, cell);
         }
-        if (!pointless(m, sight, &v, stir, stir))
+        if (!idle(m, sight, &v, stir, stir))
             compare(m, sight,
                     (struct stretch){course, (double)at * 1e-6, (double)end * 1e-6, stir});
         at = end;
     }
 }
 
+/* In spans that grow from a fraction of the detector's time constant, so that the signal turns but once
+ * in each: what is fast in it is over soon. */
 void pen_run(const struct inp_pen *pen, struct inp_pen_sight *sight, struct pen_input input,
              uint64_t until, bool first)
 {
@@ -161,7 +140,8 @@ void pen_run(const struct inp_pen *pen, struct inp_pen_sight *sight, struct pen_
     for (uint64_t span = m->cell / 4 + 1; sight->t < until; span += span) {
         uint64_t left = until - sight->t;
         pen_course_begin(&course, m, sight, &input);
-        if (!idle(m, sight, pen_course_most(&course, (double)left * 1e-6) + m->stir)) {
+        struct pen_bounds v = pen_course_within(&course, (double)left * 1e-6);
+        if (!idle(m, sight, &v, -m->stir, m->stir)) {
             left = span < left ? span : left;
             search(pen, sight, &course, left, first);
             if (first && sight->pulse != INP_NEVER)
@@ -185,10 +165,11 @@ void pen_dark(const struct inp_pen *pen, struct inp_pen_sight *sight, uint64_t u
     if (m->stir > 0 && until - sight->t > memory && sight->pulse == INP_NEVER) {
         struct pen_course course;
         pen_course_begin(&course, m, sight, &no_light);
-        if (!idle(m, sight, pen_course_most(&course, 1e300) + m->stir)) {
+        struct pen_bounds v = pen_course_within(&course, HUGE_VAL);
+        if (!idle(m, sight, &v, -m->stir, m->stir)) {
             pen_course_end(&course, sight, until - memory - sight->t);
-            double v = sight->fast - sight->slow;
-            sight->armed = v < m->threshold / 2 || (sight->armed && v < m->threshold);
+            double now = sight->fast - sight->slow;
+            sight->armed = now < m->threshold / 2 || (sight->armed && now < m->threshold);
         }
     }
     pen_run(pen, sight, no_light, until, false);
@@ -199,5 +180,5 @@ bool pen_is_quiet(const struct inp_pen *pen, const struct inp_pen_sight *sight)
     struct pen_course course;
     pen_course_begin(&course, &pen->model, sight, &no_light);
     return sight->pulse == INP_NEVER &&
-           pen_course_most(&course, 1e300) + pen->model.stir < pen->model.threshold;
+           pen_course_within(&course, HUGE_VAL).high + pen->model.stir < pen->model.threshold;
 }

@@ -44,8 +44,13 @@ void pen_course_begin(struct pen_course *course, const struct inp_pen_model *mod
                       const struct inp_pen_sight *sight, const struct pen_input *input);
 double pen_course_at(const struct pen_course *course, double us);
 double pen_course_slope(const struct pen_course *course, double us);
-/* Never exceeded within the next `us`. */
-double pen_course_most(const struct pen_course *course, double us);
+/* Between what V stays within the next `us`: at little cost, and closely. The second takes it that V turns
+ * but once in that time. */
+struct pen_bounds {
+    double low, high;
+};
+struct pen_bounds pen_course_within(const struct pen_course *course, double us);
+struct pen_bounds pen_course_between(const struct pen_course *course, double us);
 void pen_course_end(const struct pen_course *course, struct inp_pen_sight *sight, uint64_t ps);
 
 /* ---- pen_comparator.c --------------------------------------------------------------------------- */

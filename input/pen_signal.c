@@ -10,8 +10,9 @@
 static double grown(double tau, double t)
 {
     double part = t / tau;
-    if (part < 1e-5)
-        return t * (1 - part * (0.5 - part / 6));
+    if (part < 0.01) /* Taylor, to 2e-15 */
+        return t *
+               (1 - part / 2 * (1 - part / 3 * (1 - part / 4 * (1 - part / 5 * (1 - part / 6)))));
     return -tau * crt_expm1(-part);
 }
 
@@ -89,12 +90,29 @@ double pen_course_slope(const struct pen_course *course, double us)
     return slope;
 }
 
-double pen_course_most(const struct pen_course *course, double us)
+struct pen_bounds pen_course_within(const struct pen_course *course, double us)
 {
-    double v = course->start;
-    for (int i = 0; i < course->poles; i++)
-        v += course->fall[i] < 0 ? -course->fall[i] * fmin(course->tau[i], us) : 0;
+    struct pen_bounds v = {course->start, course->start};
+    for (int i = 0; i < course->poles; i++) {
+        double change = -course->fall[i] * fmin(course->tau[i], us);
+        v.low += fmin(change, 0);
+        v.high += fmax(change, 0);
+    }
     return v;
+}
+
+struct pen_bounds pen_course_between(const struct pen_course *course, double us)
+{
+    double at = course->start, slope0 = 0, slope1 = 0;
+    for (int i = 0; i < course->poles; i++) {
+        double x = grown(course->tau[i], us);
+        at -= course->fall[i] * x;
+        slope0 -= course->fall[i];
+        slope1 -= course->fall[i] * (1 - x / course->tau[i]);
+    }
+    if ((slope0 > 0) != (slope1 > 0))
+        return pen_course_within(course, us);
+    return (struct pen_bounds){fmin(course->start, at), fmax(course->start, at)};
 }
 
 void pen_course_end(const struct pen_course *course, struct inp_pen_sight *sight, uint64_t ps)

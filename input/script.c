@@ -2,7 +2,6 @@
 #include "input/script.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 #include "input/script_parts.h"
 
@@ -11,15 +10,15 @@
 static bool make_room(struct inp_reader *r)
 {
     struct inp_script *script = r->script;
-    if (script->count < r->room)
+    if (script->count < r->room && script->count < INP_SCRIPT_MOST)
         return true;
     size_t room = r->room ? 2 * r->room : 64;
     if (script->count >= INP_SCRIPT_MOST)
-        return inp_word_error(r, r->word.start, "the script has more than %d acts",
+        return inp_word_error(r, r->word.place, "the script has more than %d acts",
                               INP_SCRIPT_MOST);
     struct inp_act *act = realloc(script->act, room * sizeof *act);
     if (!act)
-        return inp_word_error(r, r->word.start, "not enough memory for the script");
+        return inp_word_error(r, r->word.place, "not enough memory for the script");
     script->act = act;
     r->room = room;
     return true;
@@ -109,7 +108,7 @@ static bool statement(struct inp_reader *r)
         inp_script_pen, inp_script_tablet, inp_script_touch, inp_script_mouse,
         inp_script_key, inp_script_type,   inp_script_knob,  take_wait};
     unsigned which;
-    if (!take_begin(r) || !inp_word_choose(r, "what a statement begins with", words, &which))
+    if (!take_begin(r) || !inp_word_choose(r, "the beginning of a statement", words, &which))
         return false;
     r->ended = r->begin;
     if (!take[which](r))
@@ -119,7 +118,7 @@ static bool statement(struct inp_reader *r)
         r->script->end = r->ended;
     char shown[INP_WORD_SHOWN];
     return r->word.kind == INP_LINE_END ||
-           inp_word_error(r, r->word.start, "%s is more than belongs to this statement",
+           inp_word_error(r, r->word.place, "%s is more than belongs to this statement",
                           inp_word_shown(r, shown));
 }
 
@@ -147,8 +146,8 @@ bool inp_script_parse(struct inp_script *script, const char *name, const char *t
 {
     struct inp_reader r = {.script = script, .err = err, .name = name, .line = 1};
     *script = (struct inp_script){.act = NULL};
-    r.at = r.line_start = text;
-    r.end = text + length;
+    r.at = r.line_start = length ? text : "";
+    r.end = r.at + length;
     r.screen[INP_PEN] = INP_VECTOR;
     r.screen[INP_TOUCH] = INP_RASTER;
     bool ok = lines(&r);

@@ -60,7 +60,7 @@ static bool take_key(struct inp_reader *r, uint8_t *code)
     char shown[INP_WORD_SHOWN];
     *code = 0;
     if (r->word.kind != INP_WORD)
-        return inp_word_error(r, r->word.start, "%s, where the name of a key is expected",
+        return inp_word_error(r, r->word.place, "%s, where the name of a key is expected",
                               inp_word_shown(r, shown));
     if (!inp_word_take(r, INP_UNKNOWN_KEY, &unknown))
         return false;
@@ -73,12 +73,13 @@ static bool take_character(struct inp_reader *r, uint8_t *character)
     const char *at = r->word.start, *end = at + r->word.length;
     char shown[INP_WORD_SHOWN];
     if (r->word.kind != INP_TEXT)
-        return inp_word_error(r, at, "%s, where a character between quotes or none is expected",
+        return inp_word_error(r, r->word.place,
+                              "%s, where a character between quotes or none is expected",
                               inp_word_shown(r, shown));
     if (at < end && !inp_text_next(r, &at, end, character))
         return false;
     if (at != end || *character == 0)
-        return inp_word_error(r, r->word.start, "%s is not one character",
+        return inp_word_error(r, r->word.place, "%s is not one character",
                               inp_word_shown(r, shown));
     return inp_word_next(r);
 }
@@ -140,7 +141,7 @@ static bool read_chord(struct inp_reader *r, const struct inp_word *word, struct
     const char *at = word->start, *end = at + word->length;
     for (chord->count = 0; chord->count < CHORD_MOST; chord->count++) {
         const char *plus = memchr(at, '+', (size_t)(end - at));
-        struct inp_word name = {INP_WORD, at, (size_t)((plus ? plus : end) - at)};
+        struct inp_word name = {INP_WORD, at, at, (size_t)((plus ? plus : end) - at)};
         if (!find_key(r, &name, &chord->code[chord->count]))
             return false;
         if (!plus) {
@@ -159,10 +160,8 @@ static bool key_chord(struct inp_reader *r, const struct inp_word *word)
     uint8_t character;
     uint64_t held;
     bool given;
-    if (!take_as(r, &given, &character) || !inp_script_in(r, HOLD, &held))
-        return false;
-    struct inp_word next = r->word;
-    if (!read_chord(r, word, &chord))
+    if (!read_chord(r, word, &chord) || !take_as(r, &given, &character) ||
+        !inp_script_in(r, HOLD, &held))
         return false;
     for (unsigned i = 0; i < chord.count; i++) {
         bool last = i + 1 == chord.count;
@@ -173,7 +172,6 @@ static bool key_chord(struct inp_reader *r, const struct inp_word *word)
     for (unsigned i = chord.count; i-- > 0;)
         if (!add_key(r, INP_RELEASE, chord.code[i], held))
             return false;
-    r->word = next;
     return true;
 }
 
@@ -183,7 +181,7 @@ bool inp_script_key(struct inp_reader *r)
     char shown[INP_WORD_SHOWN];
     bool down = inp_word_is(r, "down"), up = inp_word_is(r, "up");
     if (first.kind != INP_WORD)
-        return inp_word_error(r, first.start, "%s, where the name of a key is expected",
+        return inp_word_error(r, first.place, "%s, where the name of a key is expected",
                               inp_word_shown(r, shown));
     if (!inp_word_next(r))
         return false;
@@ -264,13 +262,13 @@ bool inp_script_type(struct inp_reader *r)
     uint8_t character;
     uint64_t duration;
     if (text.kind != INP_TEXT)
-        return inp_word_error(r, at, "%s, where a text between quotes is expected",
+        return inp_word_error(r, text.place, "%s, where a text between quotes is expected",
                               inp_word_shown(r, shown));
     for (; at < end; count++)
         if (!inp_text_next(r, &at, end, &character))
             return false;
     if (count > INP_SCRIPT_MOST)
-        return inp_word_error(r, text.start, "the script has more than %d acts", INP_SCRIPT_MOST);
+        return inp_word_error(r, text.place, "the script has more than %d acts", INP_SCRIPT_MOST);
     return inp_word_next(r) && inp_script_in(r, count * EACH, &duration) &&
            add_text(r, text.start, end, count, duration);
 }

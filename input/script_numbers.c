@@ -22,7 +22,7 @@ static bool expected(struct inp_reader *r, const char *what)
 {
     char shown[INP_WORD_SHOWN];
     const char *text = inp_word_shown(r, shown);
-    return inp_word_error(r, r->word.start, "%s, where %s is expected", text, what);
+    return inp_word_error(r, r->word.place, "%s, where %s is expected", text, what);
 }
 
 /* Digits at p as a number, held to `most` + 1. */
@@ -76,9 +76,9 @@ bool inp_word_thousandths(struct inp_reader *r, const char *what, int32_t low, i
         return expected(r, what);
     const char *text = inp_word_shown(r, shown);
     if (kind == TOO_FINE)
-        return inp_word_error(r, r->word.start, "%s has more than three places", text);
+        return inp_word_error(r, r->word.place, "%s has more than three places", text);
     if (number < low || number > high)
-        return inp_word_error(r, r->word.start, "%s is out of range: %s is %g to %g", text, what,
+        return inp_word_error(r, r->word.place, "%s is out of range: %s is %g to %g", text, what,
                               low / 1000.0, high / 1000.0);
     *value = (int32_t)number;
     return inp_word_next(r);
@@ -94,7 +94,7 @@ bool inp_word_whole(struct inp_reader *r, const char *what, unsigned most, unsig
     if (read_digits(r->word.start, end, most, &number) != end)
         return expected(r, what);
     if (number > most)
-        return inp_word_error(r, r->word.start, "%s is out of range: %s is 0 to %u",
+        return inp_word_error(r, r->word.place, "%s is out of range: %s is 0 to %u",
                               inp_word_shown(r, shown), what, most);
     *value = (unsigned)number;
     return inp_word_next(r);

@@ -26,6 +26,7 @@ enum inp_word_kind { INP_LINE_END, INP_WORD, INP_TEXT };
 /* A word, or a text between quotes, without them and with its escapes. */
 struct inp_word {
     enum inp_word_kind kind;
+    const char *place; /* where it is, for sentences: a text's quote */
     const char *start;
     size_t length;
 };

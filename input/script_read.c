@@ -86,7 +86,7 @@ bool inp_script_pen(struct inp_reader *r)
     struct inp_act act = {.device = INP_PEN};
     unsigned which;
     if (!take_screen(r, INP_PEN, &act.screen) ||
-        !inp_word_choose(r, "what a pen does", words, &which))
+        !inp_word_choose(r, "something a pen does", words, &which))
         return false;
     switch (which) {
     case 0:
@@ -158,7 +158,7 @@ bool inp_script_tablet(struct inp_reader *r)
                                         "release", "tap",   "away", NULL};
     struct inp_act act = {.device = INP_TABLET};
     unsigned which;
-    if (!inp_word_choose(r, "what is done on a tablet", words, &which))
+    if (!inp_word_choose(r, "something done on a tablet", words, &which))
         return false;
     switch (which) {
     case 0:
@@ -206,7 +206,7 @@ bool inp_script_touch(struct inp_reader *r)
         return false;
     if (inp_word_is_number(r))
         return take_finger(r, &act) && take_move(r, act);
-    if (!inp_word_choose(r, "what a finger does", words, &which))
+    if (!inp_word_choose(r, "something a finger does", words, &which))
         return false;
     return which == 0 ? add_verb(r, act, INP_AWAY, 0) : touch_tap(r, act);
 }
@@ -226,7 +226,7 @@ bool inp_script_mouse(struct inp_reader *r)
     static const char *const words[] = {"move", "press", "release", "click", "lift", "drop", NULL};
     struct inp_act act = {.device = INP_MOUSE};
     unsigned which;
-    if (!inp_word_choose(r, "what is done with a mouse", words, &which))
+    if (!inp_word_choose(r, "something done with a mouse", words, &which))
         return false;
     switch (which) {
     case 0:

@@ -59,12 +59,12 @@ static bool refuse_byte(struct inp_reader *r, const char *at)
 /* To the end of the line; what lies there may be anything but NUL. */
 static bool pass_comment(struct inp_reader *r)
 {
+    r->word = (struct inp_word){INP_LINE_END, r->at, r->at, 0};
     while (!ends_line(r, r->at)) {
         if (*r->at == '\0')
             return inp_word_error(r, r->at, "byte 0x00 has no place in a script");
         r->at++;
     }
-    r->word = (struct inp_word){INP_LINE_END, r->at, 0};
     return true;
 }
 
@@ -81,7 +81,7 @@ static bool next_text(struct inp_reader *r)
     }
     if (ends_line(r, p))
         return inp_word_error(r, open, "the text has no closing quote on its line");
-    r->word = (struct inp_word){INP_TEXT, open + 1, (size_t)(p - open - 1)};
+    r->word = (struct inp_word){INP_TEXT, open, open + 1, (size_t)(p - open - 1)};
     r->at = p + 1;
     return true;
 }
@@ -98,7 +98,7 @@ bool inp_word_next(struct inp_reader *r)
     for (; !ends_line(r, p) && !blank(*p) && *p != '#' && *p != '"'; p++)
         if (*p < ' ' || *p > '~')
             return refuse_byte(r, p);
-    r->word = (struct inp_word){INP_WORD, r->at, (size_t)(p - r->at)};
+    r->word = (struct inp_word){INP_WORD, r->at, r->at, (size_t)(p - r->at)};
     r->at = p;
     return true;
 }
@@ -176,12 +176,12 @@ bool inp_word_unknown(struct inp_reader *r, const char *what, const char *const 
     const char *nearest = inp_word_nearest(&r->word, words);
     const char *text = inp_word_shown(r, shown);
     if (r->word.kind == INP_LINE_END)
-        return inp_word_error(r, r->word.start, "the line ends where %s is expected: %s", what,
+        return inp_word_error(r, r->word.place, "the line ends where %s is expected: %s", what,
                               list);
     if (nearest)
-        return inp_word_error(r, r->word.start, "%s is not %s; did you mean '%s'?", text, what,
+        return inp_word_error(r, r->word.place, "%s is not %s; did you mean '%s'?", text, what,
                               nearest);
-    return inp_word_error(r, r->word.start, "%s is not %s: %s", text, what, list);
+    return inp_word_error(r, r->word.place, "%s is not %s: %s", text, what, list);
 }
 
 bool inp_word_choose(struct inp_reader *r, const char *what, const char *const *words,

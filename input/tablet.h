@@ -11,6 +11,9 @@
  * Heights:    electrical: as far as `near`, less when the signal drowns in the noise; measured, Z. Sonic: as
  *             far as `reach`; measured, Z; no surface is needed. Resistive: as far as `near`; not
  *             measured, Z is 0.
+ * Accuracy:   with the figures as listed, root mean square of x on the surface, 5 mm and 12 mm up: electrical
+ *             0.03, 0.10, 0.37 mm (interpolation alone is off by 0.015 mm at most), sonic 0.03 mm everywhere,
+ *             resistive 0.04, 0.09, 0.15 mm; z: electrical 0.02, 0.06, 0.17 mm, sonic 0.08 mm.
  * Touching:   the tip switch of a stylus, button 0, is closed while the person presses it (INP_PRESS 0) or
  *             its tip rests on the surface (z <= 0): both is TOUCH. A puck touches by lying on the surface,
  *             and its buttons are those pressed. The electrical tablet also takes a measured height up

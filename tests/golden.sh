@@ -18,10 +18,13 @@ report() { # STATUS NAME
     n=$((n + 1))
     if [ "$1" = 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; fi
 }
-# What a program's events are: the words of the first refresh, or of the raster head, whose rows would be
-# many, sync and what is taken at retrace.
+# What a program's events are: the words of the first refresh; of the raster head, whose rows would be
+# many, sync and what is taken at retrace; of a program that a script works ("input"), what is done and what
+# the devices report.
 events() { # PROGRAM TUBE HEAD
-    if [ "$3" = raster ]; then
+    if [ "$3" = input ]; then
+        "$kinescope" trace "$1" --tube "$2" --what input --input "${1%.*}.script"
+    elif [ "$3" = raster ]; then
         "$kinescope" trace "$1" --tube "$2" --what video --for 100ms >"$out/video" &&
             grep -E 'vsync|retrace' "$out/video"
     else
@@ -35,9 +38,14 @@ while IFS='|' read -r name program tube at head <&3; do
     at=$(echo "$at" | tr -d ' ')
     head=$(echo "$head" | tr -d ' ')
     case "$name" in '' | '#'*) continue ;; esac
+    if [ "$head" = input ]; then # at the end of the script, both heads
+        set -- --input "${program%.*}.script" --view both
+    else
+        set -- --at "$at"
+    fi
     to=$out
     [ $regenerate = yes ] && to=$golden
-    if ! "$kinescope" capture "$program" --tube "$tube" --at "$at" --film --depth 8 --hash -o "$to/$name.png" >"$to/$name.hash"; then
+    if ! "$kinescope" capture "$program" --tube "$tube" "$@" --film --depth 8 --hash -o "$to/$name.png" >"$to/$name.hash"; then
         report 1 "$name: capture"
         continue
     fi
@@ -63,7 +71,7 @@ done 3<$golden/list.txt
 if [ $regenerate = no ]; then
     # A program without a golden is a program nobody looked at.
     missing=
-    for program in roms/*.df; do
+    for program in roms/*.df $(ls roms/*.script 2>/dev/null | sed 's/\.script$/.elf/'); do
         grep -q "| *$program *|" $golden/list.txt || missing="$missing $program"
     done
     [ -z "$missing" ] || echo "# no golden for:$missing"

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define VERSION 2
+#define VERSION 3
 
 /* ---- fields, written as a snapshot would ------------------------------------------------------- */
 
@@ -101,6 +101,20 @@ static void timing_fields(struct crt_state *s, struct ras_timing timing)
     crt_state_bool(s, &timing.interlaced);
 }
 
+static void input_fields(struct crt_state *s, const struct inp_setup *given)
+{
+    struct inp_setup setup = *given;
+    uint32_t kinds[] = {setup.has_pen,    setup.has_keyboard, setup.tablet.kind,
+                        setup.touch.kind, setup.touch.screen, setup.mouse.kind};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        crt_state_u32(s, &kinds[i]);
+    for (unsigned i = 0; inp_setup_key(i); i++) {
+        struct crt_figure *figure = inp_setup_figure(&setup, inp_setup_key(i), NULL, NULL);
+        if (figure)
+            crt_state_f64(s, &figure->value);
+    }
+}
+
 static void machine_fields(struct crt_state *s, const struct vm_machine_desc *desc)
 {
     struct df_timing t = desc->timing;
@@ -164,6 +178,9 @@ bool vm_config_of(struct vm_config *config, const struct vm_rig *rig,
     }
     if (!finish(&s, config->hash[VM_CONFIG_RASTER], err))
         return false;
+    input_fields(&s, &settings->setup);
+    if (!finish(&s, config->hash[VM_CONFIG_INPUT], err))
+        return false;
     machine_fields(&s, &rig->machine->desc);
     return finish(&s, config->hash[VM_CONFIG_MACHINE], err);
 }
@@ -203,6 +220,10 @@ bool vm_config_agree(const struct vm_config *theirs, const struct vm_config *our
                         "made with another sync tick (%g Hz, this run has %g Hz); give the same "
                         "--refresh",
                         crt_rate_hz(theirs->tick), crt_rate_hz(ours->tick));
+    if (differs(theirs, ours, VM_CONFIG_INPUT))
+        return crt_fail(err,
+                        "made with other input devices; give the same --set pen, tablet, touch, "
+                        "mouse, keyboard and their figures");
     if (differs(theirs, ours, VM_CONFIG_MACHINE))
         return crt_fail(err, "made with another machine; give the same --set memory, "
                              "--set dpu.average, --personality and --on-stop");

@@ -22,6 +22,7 @@ enum vm_config_kind {
     VM_CONFIG_TUBE,
     VM_CONFIG_PHOSPHOR,
     VM_CONFIG_RASTER, /* tube, phosphor and mode at power-on */
+    VM_CONFIG_INPUT,
     VM_CONFIG_MACHINE,
     VM_CONFIG_KINDS
 };

@@ -22,18 +22,21 @@ static float apart(struct point2 a, struct point2 b)
     return hypotf(a.x - b.x, a.y - b.y);
 }
 
+/* Of an offset: the beam goes on while the pen is late, and came in left of the middle. */
+static float usual_dots(void)
+{
+    struct video_timing t = video_timing();
+    float dots = video_width_um() > 0 ? (float)t.h_visible / (float)video_width_um() : 0;
+    return (float)t.clock_hz * (POINTER_PEN_LATE_NS * 1e-9f) - POINTER_PEN_SEES_UM / 2.0f * dots;
+}
+
 void pointer_open(struct pointer *p, struct stage *stage)
 {
     *p = (struct pointer){.at = {STAGE_WIDTH / 2, STAGE_HEIGHT / 2}, .stage = stage};
-    struct video_timing timing = video_timing();
-    float um = video_height_um() > 0
-                   ? (float)stage->page[0].height / (float)video_height_um() /* rows a µm */
-                   : 0;
     p->tablet = tablet_facts();
     p->touch = touch_facts();
     p->mouse_nm = mouse_unit_nm();
-    pointer_calibrate(p, (float)timing.clock_hz * (POINTER_PEN_LATE_NS * 1e-9f),
-                      -POINTER_PEN_ABOVE_UM * um);
+    pointer_calibrate(p, usual_dots(), 0);
     pointer_listen(p);
 }
 
@@ -90,10 +93,10 @@ static struct point2 mouse_point(const struct pointer *p, const struct pointer_r
 
 /* A firing just after the beam has left its row finds it in blanking; one so late that the next row has
  * begun belongs to the row before. */
-struct point2 pointer_pen_point(const struct pointer *p, uint32_t line, uint32_t dot)
+struct point2 pointer_pen_point(const struct pointer *p, float line, float dot)
 {
     struct video_timing t = video_timing();
-    float x = (float)dot - p->pen_dots, y = (float)line - p->pen_lines;
+    float x = dot - p->pen_dots, y = line - p->pen_lines;
     if (x < -0.5f * (float)(t.h_total - t.h_visible)) {
         x += (float)t.h_total;
         y -= 1;
@@ -105,7 +108,7 @@ struct point2 pointer_pen_point(const struct pointer *p, uint32_t line, uint32_t
 
 static bool within_ms(uint32_t earlier, uint32_t later, uint32_t ms)
 {
-    return later - earlier <= ms * (TIMER_HZ / 1000);
+    return (int32_t)(later - earlier) <= (int32_t)(ms * (TIMER_HZ / 1000));
 }
 
 /* Pressed where it sees light it is at once; else that waits. */
@@ -124,7 +127,6 @@ static bool tip_report(struct pointer *p, struct pointer_report *r)
 
 static bool firing_report(struct pointer *p, struct pointer_report *r)
 {
-    r->place = pointer_pen_point(p, (uint32_t)r->y, (uint32_t)r->x);
     bool follows = p->pen_fired && within_ms(p->pen_time, r->time, BELIEVED_MS) &&
                    apart(r->place, p->pen_at) <= BELIEVED;
     p->pen_at = r->place;
@@ -254,6 +256,7 @@ static bool take_oldest(struct pointer *p)
 static void begin(struct pointer *p)
 {
     uint32_t state = irq_lock();
+    pointer_settle(p);
     p->pressed_now = p->released_now = false;
     p->lost = p->overflow;
     p->overflow = false;

@@ -24,7 +24,8 @@
  *             POINTER_MOVED; none takes it by moving while another is pressed.
  * Raster pen: it fires where the beam lights the screen: on black it sees nothing. A press there is told
  *             as soon as the pen sees light, if it does within POINTER_PATIENCE. pointer_pen_field is the
- *             remedy. A single firing far from those before is not believed: room light makes such.
+ *             remedy. Firings of a single field far from those before are not believed: room
+ *             light makes such.
  * Units:      stage units (roms/stage/stage.h).
  * Ownership:  plain values; the stage must outlive it, and it must not move: it is the interrupt handlers'.
  * Errors:     devices that are not connected never point. When the queue is full, newer reports replace the
@@ -40,6 +41,7 @@
 #include "roms/bsp/input.h"
 #include "roms/bsp/timer.h"
 #include "roms/geometry/vector.h"
+#include "roms/interact/pen_rows.h"
 #include "roms/stage/stage.h"
 
 enum pointer_device { POINTER_NONE, POINTER_TABLET, POINTER_TOUCH, POINTER_MOUSE, POINTER_PEN };
@@ -53,11 +55,10 @@ enum {
     POINTER_TRACKED = POINTER_DEVICES /* private: the pen on the vector head */
 };
 
-/* What the pen of the raster head is late by, unless calibration has said otherwise: time until the
- * latch, and how far above the middle of what it sees the first lit row is. What roms/calibrate finds
- * with the figures of input/pen.h. */
-#define POINTER_PEN_LATE_NS  440
-#define POINTER_PEN_ABOVE_UM 1200
+/* The pen of the raster head, unless calibration has said otherwise: how late it fires after the beam has come
+ * into what it sees, and how large that is. What roms/calibrate finds with the figures of input/pen.h. */
+#define POINTER_PEN_LATE_NS 360
+#define POINTER_PEN_SEES_UM 4050
 
 /* What a device said. x, y: tablet: counts; touch panel: micrometres; mouse: counts since its report
  * before; raster pen: dot, line of the beam, z its field. */
@@ -108,9 +109,11 @@ struct pointer {
     bool overflow;
     unsigned mouse_buttons;
     uint32_t mouse_time;
-    bool tip, fired; /* of the raster pen: pressed; `field` has had a firing */
-    uint32_t field, fired_time;
-    bool blue; /* the field that is being shown is blue */
+    bool tip, fired; /* of the raster pen: pressed; ever */
+    struct pen_rows rows;
+    uint32_t fired_time;
+    bool fired_blue; /* in a blue field */
+    bool blue;       /* the field that is being shown is blue */
     unsigned rested;
     uint32_t colours[VIDEO_LUT_ENTRIES];
 };
@@ -124,7 +127,7 @@ bool pointer_next(struct pointer *pointer);
 /* The pen on the raster head fires so many dots and lines late (roms/calibrate); lines may be negative. */
 void pointer_calibrate(struct pointer *pointer, float dots, float lines);
 /* Where the pen on the raster head is when it fires while the beam is there. */
-struct point2 pointer_pen_point(const struct pointer *pointer, uint32_t line, uint32_t dot);
+struct point2 pointer_pen_point(const struct pointer *pointer, float line, float dot);
 /* The pen on the vector head is there, for whoever tracks it; may be called in a handler. */
 void pointer_pen_place(struct pointer *pointer, struct point2 at, bool near, bool pressed);
 /* On: while the tip is pressed and the pen sees nothing, the screen is shown wholly blue for a single
@@ -136,5 +139,6 @@ void pointer_pen_field(struct pointer *pointer, bool on);
 /* For pointer_devices.c and pointer_field.c. */
 void pointer_listen(struct pointer *pointer);
 void pointer_push(struct pointer *pointer, const struct pointer_report *report);
+void pointer_settle(struct pointer *pointer);
 
 #endif

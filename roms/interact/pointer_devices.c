@@ -2,6 +2,8 @@
 #include "roms/bsp/interrupts.h"
 #include "roms/interact/pointer.h"
 
+enum { SETTLED_US = 300 /* more than lines between neighbouring rows take */ };
+
 static uint32_t now(void)
 {
     return (uint32_t)timer_now();
@@ -94,28 +96,44 @@ static void on_mouse(void *ctx)
     }
 }
 
-/* The first firing of a field is that of the first row that the pen sees; those of the rows below it say
- * nothing new. */
+/* What the firings of a field say together. */
+static void store_rows(struct pointer *p)
+{
+    float line, dot;
+    if (!pen_rows_middle(&p->rows, &line, &dot, NULL))
+        return;
+    struct pointer_report r = {.device = POINTER_PEN,
+                               .placed = true,
+                               .near = true,
+                               .pressed = p->tip,
+                               .sure = p->fired_blue,
+                               .x = (int32_t)(dot + 0.5f),
+                               .y = (int32_t)(line + 0.5f),
+                               .z = (int32_t)p->rows.field,
+                               .place = pointer_pen_point(p, line, dot),
+                               .time = p->fired_time};
+    p->rows.count = 0;
+    store(p, &r);
+}
+
+/* The beam has gone on from where the pen looks: nothing more will come in this field. */
+void pointer_settle(struct pointer *p)
+{
+    if (p->rows.count > 0 && now() - p->fired_time > SETTLED_US * (TIMER_HZ / 1000000))
+        store_rows(p);
+}
+
 static void take_firings(struct pointer *p)
 {
     struct pen_hit hit;
     while (pen_hit_take(&hit)) {
-        bool first = !p->fired || hit.field != p->field;
+        if (!pen_rows_add(&p->rows, &hit)) {
+            store_rows(p);
+            pen_rows_add(&p->rows, &hit);
+        }
         p->fired = true;
-        p->field = hit.field;
+        p->fired_blue = p->blue;
         p->fired_time = now();
-        if (!first)
-            continue;
-        struct pointer_report r = {.device = POINTER_PEN,
-                                   .placed = true,
-                                   .near = true,
-                                   .pressed = p->tip,
-                                   .sure = p->blue,
-                                   .x = (int32_t)hit.dot,
-                                   .y = (int32_t)hit.line,
-                                   .z = (int32_t)hit.field,
-                                   .time = p->fired_time};
-        store(p, &r);
     }
 }
 
@@ -134,6 +152,7 @@ static void on_pen(void *ctx)
     take_firings(p);
     if (!pen_tip_moved(INPUT_RASTER))
         return;
+    pointer_settle(p); /* what came before it */
     bool pressed = pen_tip(INPUT_RASTER);
     if (pressed == p->tip)
         store_tip(p, !pressed);

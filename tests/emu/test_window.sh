@@ -13,7 +13,7 @@ cd "$work" || exit 1
 until_true 20 xdotool getdisplaygeometry
 report $? "the virtual X server answers"
 cp "$programs/spin.df" live.df
-"$KINESCOPE" run live.df --tube LAB31 --size 500x500 2>log &
+"$KINESCOPE" run live.df --tube LAB31 --size 500x500 --set pen=none 2>log &
 viewer=$!
 until_true 30 title live.df
 report $? "a window opens, named after the program"

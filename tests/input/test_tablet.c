@@ -52,6 +52,29 @@ static void switching_on_begins_a_period(void **state)
     r.now += 5 * CRT_PS_PER_S + 7;
     rig_on(&r, 0);
     assert_int_equal(inp_tablet_next(&r.tablet), r.now + CRT_PS_PER_S / 60);
+    rig_act(&r, INP_AWAY, 0); /* it was there when the tablet was on before: that is forgotten */
+    assert_false(rig_event(&r));
+}
+
+/* Whoever comes late finds the hand where it was when it was due. */
+static void a_late_event_is_of_its_time(void **state)
+{
+    (void)state;
+    struct tablet_rig r, late;
+    for (int i = 0; i < 2; i++) {
+        struct tablet_rig *one = i ? &late : &r;
+        rig_open(one, TABLET_SONIC);
+        rig_on(one, 0);
+        rig_move(one, 0, 0, 2, 0);
+        rig_move(one, 250, 250, 2, CRT_PS_PER_S / 10);
+    }
+    for (int n = 0; n < 6; n++) {
+        assert_true(rig_event(&r));
+        assert_true(inp_tablet_event(&late.tablet, r.now + CRT_PS_PER_MS));
+        struct rig_seen a = rig_take(&r), b = rig_take(&late);
+        assert_true(a.x == b.x && a.y == b.y && a.z == b.z);
+        assert_int_equal(inp_tablet_next(&r.tablet), inp_tablet_next(&late.tablet));
+    }
 }
 
 /* ---- one place for reports ---------------------------------------------------------------------- */
@@ -193,7 +216,7 @@ static void down_and_up(void **state)
         assert_true(rig_measure(&r, 100, 100, 0, &seen));
         assert_int_equal(seen.proximity, TABLET_TOUCH);
         assert_int_equal(seen.buttons, 1); /* the surface closes the tip switch */
-        assert_true(rig_measure(&r, 100, 100, -3, &seen));
+        assert_true(rig_measure(&r, 100, 100, -2000, &seen));
         assert_int_equal(seen.proximity, TABLET_TOUCH);
         assert_true(seen.z < 0.5); /* nothing is below the surface */
         assert_true(rig_measure(&r, 100, 100, 5, &seen));
@@ -265,6 +288,11 @@ static void buttons_of_a_puck(void **state)
         rig_move(&r, 100, 100, 5, 0);
         rig_event(&r);
         assert_int_equal(rig_take(&r).buttons, 0); /* the hand had let go */
+        rig_act(&r, INP_PRESS, 0);
+        rig_event(&r); /* a button says nothing of the surface; a tip switch does */
+        struct rig_seen seen = rig_take(&r);
+        assert_int_equal(seen.proximity, count == 1 ? TABLET_TOUCH : TABLET_NEAR);
+        assert_int_equal(seen.buttons, 1);
     }
 }
 
@@ -397,6 +425,86 @@ static void places_are_whole_counts(void **state)
     }
 }
 
+/* Any figure anywhere in its range, often at an end of it. */
+static void any_figures(struct tablet_rig *r, int i)
+{
+    rig_open(r, 1 + (unsigned)i % KINDS);
+    r->seed += (uint64_t)i * 15485863;
+    struct crt_figure *all[] = {
+#define X(field, unit, is, least, most, meaning, from) &r->setup.field,
+        INP_TABLET_FIGURES(X)
+#undef X
+    };
+    for (unsigned f = 0; f < sizeof all / sizeof all[0]; f++) {
+        uint64_t how = rig_bits(r) >> 40 & 3;
+        double between = rig_between(r, all[f]->low, all[f]->high);
+        all[f]->value = how == 0 ? all[f]->low : how == 1 ? all[f]->high : between;
+    }
+    r->setup.buttons.value = floor(r->setup.buttons.value);
+}
+
+static void figures_are_in_order(void **state)
+{
+    (void)state;
+#define X(field, unit, is, least, most, meaning, from)                                             \
+    assert_true((is) >= (least) && (is) <= (most) && strlen(meaning) && strlen(from));
+    INP_TABLET_FIGURES(X)
+#undef X
+}
+
+/* A stylus on the surface is found, near the place: half a count, what bends, counts and drowns added. */
+static void every_figure_works(void **state)
+{
+    (void)state;
+    for (int i = 0; i < 6000; i++) {
+        struct tablet_rig r;
+        struct rig_seen seen;
+        any_figures(&r, i);
+        struct inp_tablet_setup *setup = &r.setup;
+        setup->temperature.value = setup->assumed.value;
+        setup->radius.value = 0;
+        double x = rig_between(&r, 0, setup->width.value);
+        double y = rig_between(&r, 0, setup->height.value);
+        double z = i % 2 ? 0 : fmax(0, fmin(5, setup->near.value - 3)); /* heights are noisy, too */
+        double most = setup->resolution.value / 2 + 0.05;
+        if (setup->kind == TABLET_ELECTRICAL)
+            most += 0.12 + setup->noise.value * (z > 0 ? 30 : 8);
+        if (setup->kind == TABLET_SONIC)
+            most += 8 * (setup->noise.value + 0.35 / setup->clock.value) *
+                    fmax(setup->width.value / setup->height.value,
+                         setup->height.value / setup->width.value);
+        if (setup->kind == TABLET_RESISTIVE)
+            most += setup->bow.value + setup->noise.value * (z > 0 ? 20 : 8);
+        assert_true(rig_measure(&r, x, y, z, &seen));
+        rig_within(seen.x - x, -most, most);
+        rig_within(seen.y - y, -most, most);
+        assert_true(z > 0 || seen.proximity == TABLET_TOUCH);
+        rig_within((int32_t)rig_read(&r, INPUT_TABLET_Z), 0, 200000);
+        assert_true(rig_read(&r, INPUT_TABLET_WIDTH) * setup->resolution.value > 147);
+    }
+}
+
+/* The hand anywhere at all, the air at any temperature: whatever is reported is a number. */
+static void anywhere_at_all(void **state)
+{
+    (void)state;
+    unsigned found = 0;
+    for (int i = 0; i < 20000; i++) {
+        struct tablet_rig r;
+        struct rig_seen seen;
+        any_figures(&r, i);
+        double most = i % 4 ? 2000 : 2000000;
+        if (!rig_measure(&r, rig_between(&r, -most, most), rig_between(&r, -most, most),
+                         rig_between(&r, -most, most / 3), &seen))
+            continue;
+        found++;
+        rig_within(seen.x, -2600, 2600 + r.setup.width.value);
+        rig_within(seen.y, -2600, 2600 + r.setup.height.value);
+        rig_within(seen.z, 0, 1600);
+    }
+    assert_true(found > 1000);
+}
+
 static void power_on_leaves_the_hand(void **state)
 {
     (void)state;
@@ -424,6 +532,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reports_come_at_the_ticks),
         cmocka_unit_test(switching_on_begins_a_period),
+        cmocka_unit_test(a_late_event_is_of_its_time),
         cmocka_unit_test(a_program_that_never_takes),
         cmocka_unit_test(gaps_are_losses),
         cmocka_unit_test(the_latest_replaces),
@@ -438,6 +547,9 @@ int main(void)
         cmocka_unit_test(none_reads_zero),
         cmocka_unit_test(what_it_is),
         cmocka_unit_test(places_are_whole_counts),
+        cmocka_unit_test(figures_are_in_order),
+        cmocka_unit_test(every_figure_works),
+        cmocka_unit_test(anywhere_at_all),
         cmocka_unit_test(power_on_leaves_the_hand),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

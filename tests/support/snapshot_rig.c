@@ -141,8 +141,10 @@ struct snap_run *snap_open(const char *path, bool light, const struct vm_setting
         fail_msg("%s", err.text);
     if (r->rig.console)
         r->rig.console->desc = (struct vm_console_desc){.ctx = r, .sink = printed};
-    if (strncmp(path, "random", 6) == 0)
+    if (strncmp(path, "random", 6) == 0) {
+        r->pen = true;
         r->rig.machine->dpu.desc.beam.offer = pen;
+    }
     return r;
 }
 
@@ -165,7 +167,10 @@ struct crt_state snap_save(struct snap_run *r)
 
 bool snap_load(struct snap_run *r, const uint8_t *bytes, size_t size, struct crt_error *err)
 {
-    return vm_snapshot_read(bytes, size, "FILE", &r->rig, &r->settings, &r->input, err);
+    bool ok = vm_snapshot_read(bytes, size, "FILE", &r->rig, &r->settings, &r->input, err);
+    if (r->pen) /* loading has wired the machine's own */
+        r->rig.machine->dpu.desc.beam.offer = pen;
+    return ok;
 }
 
 void snap_must_load(struct snap_run *r, const struct crt_state *s)

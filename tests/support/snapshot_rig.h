@@ -24,6 +24,7 @@ struct snap_run {
     struct vm_settings settings;
     struct vm_settings_options options;
     struct vm_rig rig;
+    bool pen;         /* of the rig: it fires by itself */
     uint64_t drawn;   /* hash of what the machine did while traced */
     uint64_t printed; /* and of what it printed */
 };
