@@ -15,10 +15,10 @@ static void title(const struct session *s, struct stage *stage)
     stage_title(stage, text);
 }
 
-/* Two lines of a caption. */
+/* Two lines of a caption: the first fills 80 columns, and 73 as well. */
 static const char keys[] =
-    "r paper  = x y  a affine   p points  l lines  s stream   n new  c close "
-    "x delete  h heights  t by time  < > spacing  + - tolerance  w write  q end";
+    "       r paper = x y a affine  p points l lines s stream  n new c close         "
+    "x delete  h heights  t time  < > spacing  + - tolerance  w write  q end";
 
 static void caption(const struct session *s, struct stage *stage)
 {

@@ -51,7 +51,7 @@ static void noise(const struct session *s, struct panel *p)
     char text[LINE];
     float unit = session_unit(s), sx = rest_deviation(r, 0), sy = rest_deviation(r, 1);
     head(p, "Resolution and noise");
-    snprintf(text, sizeof text, "1 count = %.3f mm", (double)unit);
+    snprintf(text, sizeof text, "count %.3f (s %.3f)", (double)unit, (double)(unit * 0.28868f));
     panel_line(p, INK_TEXT, text);
     snprintf(text, sizeof text, "rests: %d reports", r->count);
     panel_line(p, INK_TEXT, text);
@@ -73,6 +73,11 @@ static void paper(const struct session *s, struct panel *p)
     head(p, s->placed ? "Paper" : "Paper not placed");
     snprintf(text, sizeof text, "%7.2f %7.2f mm", (double)at.x, (double)at.y);
     panel_line(p, INK_BRIGHT, text);
+    if (s->mode == MODE_PLACE && s->touched < FIT_POINTS_MOST) {
+        snprintf(text, sizeof text, "next mark: %g %g", (double)s->pair[s->touched].known.x,
+                 (double)s->pair[s->touched].known.y);
+        panel_line(p, INK_GREEN, text);
+    }
     if (!s->placed)
         return;
     snprintf(text, sizeof text, "%s, %d points", s->fit.affine ? "affine" : "similarity",
