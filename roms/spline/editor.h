@@ -41,6 +41,8 @@ struct editor {
     /* Private. */
     enum editor_grip grip;
     struct vector3 offset; /* from the pointer to what is held */
+    struct vector3 down;   /* where it was pressed */
+    bool drags;            /* it has left that place: noise of a tablet moves nothing */
     bool kept;             /* this press is in the history */
 };
 

@@ -5,7 +5,7 @@
 #include "roms/spline/editor.h"
 #include "roms/spline/menu.h"
 
-enum { REACH = 26 }; /* of the stylus, stage units */
+enum { REACH = 26, STILL = 6 }; /* of the stylus; what a hand that rests may move; stage units */
 
 static void keep_once(struct editor *e)
 {
@@ -117,7 +117,8 @@ static void press(struct editor *e)
 {
     int item = menu_item_at(e->at), index = point_near(e, e->at);
     bool out = false;
-    e->kept = false;
+    e->kept = e->drags = false;
+    e->down = e->at;
     e->message = NULL;
     if (item >= 0)
         editor_key(e, menu_key(item));
@@ -145,6 +146,9 @@ static void drag_part(struct editor *e)
 static void drag(struct editor *e)
 {
     struct vector3 to = vector3_sum(e->at, e->offset);
+    e->drags |= apart(e->at, e->down) > STILL;
+    if (!e->drags)
+        return;
     switch (e->grip) {
     case GRIP_NONE:
         return;

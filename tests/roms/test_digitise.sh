@@ -61,15 +61,16 @@ compare() { # FILE AREA-PER-CENT APART-MM
 for kind in electrical sonic resistive; do
     written "$work/script" --set tablet=$kind >"$work/$kind"
     grep -q "^# tablet $kind, 0.100 mm a count, 60.00 reports a second, lost 0\$" "$work/$kind" &&
-        compare "$work/$kind" 0.3 0.5
+        compare "$work/$kind" 0.3 0.5 >"$work/said"
     report $? "$kind tablet: area, and each point, of the leaf"
 done
+: >"$work/said"
 grep -qx 'line,point,x_mm,y_mm,z_mm,samples,s_mm,gap' "$work/electrical" && tail -1 "$work/electrical" | grep -qx '# end'
 report $? "the table has a heading with units, and an end"
 
 # ---- what reference points take out ------------------------------------------------------------------------
 written "$work/script" --set tablet=sonic --set tablet.temperature=35 >"$work/warm"
-compare "$work/warm" 0.3 0.5
+compare "$work/warm" 0.3 0.5 >"$work/said"
 report $? "sonic tablet in warm air: the paper's marks take the speed of sound out"
 scale() {
     sed -n 's/^# paper .*, \([0-9.]*\) mm a count, .*/\1/p' "$1"

@@ -237,6 +237,23 @@ static void a_drag_moves_a_point_and_is_one_step(void **state)
     assert_true(e.model.point[2].at.x == at.x + 40);
 }
 
+/* A stylus that rests is measured here and there. */
+static void a_tap_chooses_and_moves_nothing(void **state)
+{
+    (void)state;
+    static struct editor e;
+    editor_begin(&e);
+    struct model before = e.model;
+    struct vector3 at = e.model.point[4].at;
+    press_at(&e, at.x, at.y);
+    for (int i = 0; i < 50; i++)
+        move_to(&e, at.x + random_in(-4, 4), at.y + random_in(-4, 4));
+    lift_at(&e, at.x, at.y);
+    assert_int_equal(e.chosen, 4);
+    assert_memory_equal(&e.model, &before, sizeof before);
+    assert_int_equal(e.history.back, 0);
+}
+
 static void touching_adds_where_the_polygon_is_near(void **state)
 {
     (void)state;
@@ -333,6 +350,7 @@ int main(void)
         cmocka_unit_test(limits_of_lines_and_points),
         cmocka_unit_test(any_text_makes_a_valid_model_or_none),
         cmocka_unit_test(a_drag_moves_a_point_and_is_one_step),
+        cmocka_unit_test(a_tap_chooses_and_moves_nothing),
         cmocka_unit_test(touching_adds_where_the_polygon_is_near),
         cmocka_unit_test(handles_t_and_the_mark_are_dragged),
         cmocka_unit_test(arrows_come_as_sequences),
