@@ -260,6 +260,8 @@ int vm_settings_resolve(const struct vm_settings_options *o,
     int status = choose_tubes(s, o, recording, tube, err);
     if (status)
         return status;
+    inp_setup_screen(&s->setup, s->monitor[VM_VECTOR].row.name,
+                     s->monitor[VM_VECTOR].phosphor.name);
     s->personality = take_personality(o->personality, &s->monitor[VM_VECTOR].row);
     if (!vm_settings_set(s, &o->set, err) || !take_mode(s, o->mode, err) ||
         !take_simd(s, o->simd, err))

@@ -10,6 +10,7 @@
 #define ROUND_PS 1000.0
 #define ROUND_MM 1e-4
 
+/* How far a look for noise goes; a pulse that was not taken for so long, as the pen was elsewhere, is over. */
 #define LOOK_AHEAD UINT64_C(1000000000) /* 1 ms */
 
 static const struct pen_input no_light;
@@ -160,12 +161,12 @@ bool inp_pen_event(struct inp_pen *pen, uint64_t t)
     if (!pen->model.raster)
         return false;
     if (pen->sight.pulse == INP_NEVER)
-        pen_dark(pen, &pen->sight, t);
-    bool arrived = pen->sight.pulse <= t;
-    if (arrived)
+        pen_dark(pen, &pen->sight, t + 1); /* t itself, too */
+    uint64_t pulse = pen->sight.pulse;
+    if (pulse <= t)
         pen->sight.pulse = INP_NEVER;
     pen_settle(pen);
-    return arrived;
+    return pulse <= t && t - pulse <= LOOK_AHEAD;
 }
 
 void inp_pen_set_knobs(struct inp_pen *pen, struct crt_knobs knobs)

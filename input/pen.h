@@ -4,21 +4,49 @@
  *                                                                                              │
  *                 display processor stops / raster head latches ◀── delay ── pulse ◀────────────┘
  *
- * Models:     the luminous intensity of what the phosphor emits within a round aperture, Σ_k (w_k/τ_k)-wise, as
- *             a detector that is flat over the visible range sees it; a one-pole detector; AC coupling; a
- *             comparator that fires when the signal rises above the threshold, and is armed again when
- *             it has fallen below its half; a fixed delay until the pulse arrives; the pulse stands for
- *             `hold`, so that it is seen where the beam is lit a moment later only. Noise of the
- *             amplifier, and of room light that reaches the tip; room light flickers with the mains.
+ * Models:     signal: the luminous intensity of what the phosphor glows within a round aperture, each term of
+ *             it a store that is filled in proportion to the beam power within the aperture and empties with
+ *             its time constant; times 1/y of its colour, since a detector that is flat over the visible range
+ *             sees radiant power, not luminance (estimate: the tristimulus sum stands for it). So blue is
+ *             seen well though it is dim to the eye.
+ *             The spot is a round Gaussian as wide as crt/spot.h says, of lines at full drive and as
+ *             crt/optics.h spreads and shifts it at the pen; power: crt/spot.h, crt/penetration.h,
+ *             crt/line_beam.h. Screens doped for an infrared pen, as the VR17's: figure `infrared`, a
+ *             band by itself, fast where the phosphor is slow.
+ *             Then one pole, `response`; AC coupling, `couple`; a comparator that fires when
+ *             signal and noise rise to the threshold, and is armed again when they are below its half;
+ *             a fixed `delay` until the pulse arrives, which stands for `hold`. One pulse at a time:
+ *             firing while one is on its way, or stands, makes no other.
+ *             Noise: normal, constant for 2·response, then another; that of the amplifier and the shot noise of
+ *             room light. Lamps flicker: what the coupling lets through is a sine.
  * Offers:     inp_pen_offer() tells when a piece would make the pen fire and changes nothing;
  *             inp_pen_stroke() and inp_pen_line() are told what was really drawn. So a stroke that the
- *             display processor cuts at a hit is seen only as far as it was drawn.
+ *             display processor cuts at a hit is seen only as far as it was drawn. The cut is rounded
+ *             (time, and place to 1e-4 mm): a pulse late by no more than that has arrived by the stroke's end.
+ * Vector head: a pulse is spent by the stroke at whose begin it stands or during which it arrives, also where
+ *             hits are disabled; one that no stroke meets is lost.
+ * Raster head: inp_pen_line() may know the pulse beforehand; inp_pen_next() says when it arrives, and
+ *             inp_pen_event() takes it. Each line that passes the pen makes it fire where the signal fell
+ *             below half in between: programs take the first of a field, or the mean.
+ * As they are, the figures give (tests/figures/pen.c prints all of it): P31, P4 and P1 at the VR17's own beam
+ *             speed fire at all levels, within 1 us of the pen's middle; P39 from level 4 on, about 1 us late,
+ *             and not at twice that speed unless bright (hard: it flashes 200 times less than P31); a dot of a
+ *             character on P31 (the pulse meets the next one); colour tubes on white, every primary, dark
+ *             blue, but not on black. False firings: fewer than one a second below 700 lx,
+ *             15 at 1000, thousands from 2000.
+ * Accuracy:   the signal in closed form between knots a quarter of the spot's sigma apart; firing times within
+ *             20 ns of a slow model at speeds of 0.2 to 5 mm/us, crossings of the closed form to some ps.
  * Time:       picoseconds since power-on. Pieces come in order of t0; they may lie in the future.
- * Position:   tube millimetres from the middle of the screen.
- * Units:      signal: µcd, luminance in cd/m² times mm² of the aperture.
+ * Position:   tube millimetres from the middle of the screen; the aperture rests where the hand is when a piece
+ *             begins.
+ * Units:      signal: ucd, luminance in cd/m2 times mm2 of the aperture.
+ * Cost:       a piece far away: a few comparisons while nothing glows; near: 10 to 60 us a call.
  * Ownership:  the caller owns the struct; setup, row and phosphor must outlive it. Allocates nothing.
  * Errors:     none; hostile snapshots are refused (inp_pen_state).
  * Determinism: noise is a function of seed and time (input/noise.h).
+ * Not modelled: the glass between phosphor and pen, what the pen collects from beyond its aperture, tilt; glow that
+ *             moves into the aperture as the hand moves; shot noise of the screen's own light; video
+ *             amplifier; the mask's holes.
  */
 #ifndef INPUT_PEN_H
 #define INPUT_PEN_H
@@ -37,7 +65,7 @@
     X(aperture, "mm", 3, 2, 5, "diameter of what the pen sees",                                    \
       "estimate: 2 to 5 mm are quoted for pens of the time")                                       \
     X(threshold, "ucd", 25, 0.001, 1e6, "signal at which it fires",                                \
-      "estimate: half of what a full line of the VR17's P39 gives")                                \
+      "estimate: a third of what a full line of the VR17's P39 gives")                             \
     X(response, "us", 0.3, 0.01, 100, "time constant of the detector",                             \
       "estimate: pens of the time took 0.3 to 1 us altogether")                                    \
     X(delay, "us", 0.3, 0, 100, "from the threshold to the pulse at the interface",                \
@@ -129,11 +157,11 @@ uint64_t inp_pen_offer(const struct inp_pen *pen, const struct crt_stroke *strok
 bool inp_pen_stroke(struct inp_pen *pen, const struct crt_stroke *stroke, uint64_t *when);
 void inp_pen_line(struct inp_pen *pen, const struct crt_scan_line *line);
 
-/* When a pulse next arrives without further light, or the pen wants to look for one again; INP_NEVER:
- * not without light. */
+/* When a pulse next arrives without further light, or the pen wants to look for one again (now, if that is
+ * past: it has just come to the glass); INP_NEVER: not without light. Of a pen on the vector head always
+ * INP_NEVER: the next stroke finds out. */
 uint64_t inp_pen_next(const struct inp_pen *pen);
-/* At that time. True: a pulse arrived at t, and is spent. Of a pen on the vector head it stands for
- * `hold` instead, to be seen by the next stroke, and this is false. */
+/* At that time. True: a pulse arrived at t, and is spent. Of a pen on the vector head always false. */
 bool inp_pen_event(struct inp_pen *pen, uint64_t t);
 
 void inp_pen_set_knobs(struct inp_pen *pen, struct crt_knobs knobs);

@@ -81,11 +81,17 @@ struct way {
     double x0, length, off; /* mm */
     uint64_t t0, t1;
     double radius, sigma;
+    double last_x, last_share; /* share_of() as it was last */
 };
 
-static double distance(const struct way *way, double x)
+/* Each knot is asked for twice in a row. */
+static double share_of(struct way *way, double x)
 {
-    return sqrt(x * x + way->off * way->off);
+    if (x != way->last_x) {
+        way->last_x = x;
+        way->last_share = pen_share(way->radius, way->sigma, sqrt(x * x + way->off * way->off));
+    }
+    return way->last_share;
 }
 
 static uint64_t time_of(const struct way *way, double x)
@@ -107,15 +113,14 @@ static double half_chord(double radius, double off)
 
 /* Between two knots. The stroke may begin or end there: the straight line stays the same, so that a stroke
  * that is cut gives what the whole one gave. */
-static void between(const struct inp_pen *pen, struct inp_pen_sight *sight, const struct way *way,
+static void between(const struct inp_pen *pen, struct inp_pen_sight *sight, struct way *way,
                     const double power[CRT_MAX_COLOURS], double xa, double xb, bool first)
 {
     uint64_t ta = time_of(way, xa), tb = time_of(way, xb);
     ta = ta > sight->t ? ta : sight->t;
     if (ta >= tb)
         return;
-    double a = pen_share(way->radius, way->sigma, distance(way, xa));
-    double b = pen_share(way->radius, way->sigma, distance(way, xb));
+    double a = share_of(way, xa), b = share_of(way, xb);
     double part = (place_of(way, ta) - xa) / (xb - xa);
     double slope = (b - a) / (xb - xa) * way->length / ((double)(way->t1 - way->t0) * 1e-6);
     struct pen_input input;
@@ -126,23 +131,21 @@ static void between(const struct inp_pen *pen, struct inp_pen_sight *sight, cons
     pen_run(pen, sight, input, tb, first);
 }
 
-static void along(const struct inp_pen *pen, struct inp_pen_sight *sight, const struct way *way,
+/* Knots while the spot comes over the edge, the flat top where there is one, knots while it leaves. */
+static void along(const struct inp_pen *pen, struct inp_pen_sight *sight, struct way *way,
                   const double power[CRT_MAX_COLOURS], bool first)
 {
     static const struct pen_input none;
     double wide = WIDE * way->sigma, end = half_chord(way->radius + wide, way->off);
     double flat = way->radius > wide ? half_chord(way->radius - wide, way->off) : 0;
     int steps = (int)ceil((end - flat) / way->sigma * KNOTS);
-    double step = steps > 0 ? (end - flat) / steps : 0;
-    pen_run(pen, sight, none, time_of(way, -end), first);
-    for (int i = 0; i < steps; i++)
-        if (!(first && sight->pulse != INP_NEVER))
-            between(pen, sight, way, power, -end + i * step, -end + (i + 1) * step, first);
-    if (flat > 0 && !(first && sight->pulse != INP_NEVER))
-        between(pen, sight, way, power, -flat, flat, first);
-    for (int i = 0; i < steps; i++)
-        if (!(first && sight->pulse != INP_NEVER))
-            between(pen, sight, way, power, flat + i * step, flat + (i + 1) * step, first);
+    double step = steps > 0 ? (end - flat) / steps : 0, x = -end;
+    pen_run(pen, sight, none, time_of(way, x), first);
+    for (int i = 1; i <= 2 * steps + 1 && !(first && sight->pulse != INP_NEVER); i++) {
+        double to = i <= steps ? -end + i * step : flat + (i - steps - 1) * step;
+        between(pen, sight, way, power, x, to, first);
+        x = to;
+    }
     if (!(first && sight->pulse != INP_NEVER))
         pen_run(pen, sight, none, way->t1, first);
 }
@@ -157,8 +160,12 @@ void pen_light_stroke(const struct inp_pen *pen, struct inp_pen_sight *sight,
     double x = (double)s->x0 * v.place - p.x, y = (double)s->y0 * v.place - p.y;
     double dx = ((double)s->x1 - (double)s->x0) * v.place;
     double dy = ((double)s->y1 - (double)s->y0) * v.place;
-    struct way way = {
-        0, sqrt(dx * dx + dy * dy), 0, s->t0, s->t1, pen->model.radius, spot.sigma_mm * v.sigma};
+    struct way way = {.length = sqrt(dx * dx + dy * dy),
+                      .t0 = s->t0,
+                      .t1 = s->t1,
+                      .radius = pen->model.radius,
+                      .sigma = spot.sigma_mm * v.sigma,
+                      .last_x = HUGE_VAL};
     double power[CRT_MAX_COLOURS];
     for (int c = 0; c < CRT_MAX_COLOURS; c++)
         power[c] = spot.power * v.light[c];

@@ -59,6 +59,26 @@ void inp_setup_default(struct inp_setup *setup)
         *figure_at(setup, rows[i].offset) = rows[i].figure;
 }
 
+/* ---- doped screens ------------------------------------------------------------------------------
+ */
+
+static const struct {
+    const char *tube, *phosphor;
+    struct crt_figure infrared;
+} doped[] = {
+    {"VR17",
+     "P39",
+     {0.001, 0.0003, 0.01,
+      "DEC EK-VT11-TM-001: the screen is doped for the pen; how strong: estimate"}},
+};
+
+void inp_setup_screen(struct inp_setup *setup, const char *tube, const char *phosphor)
+{
+    for (size_t i = 0; i < sizeof doped / sizeof *doped; i++)
+        if (strcmp(doped[i].tube, tube) == 0 && strcmp(doped[i].phosphor, phosphor) == 0)
+            setup->pen.infrared = doped[i].infrared;
+}
+
 /* ---- kinds --------------------------------------------------------------------------------------
  */
 

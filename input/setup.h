@@ -32,6 +32,10 @@ struct inp_setup {
  * listed. */
 void inp_setup_default(struct inp_setup *setup);
 
+/* What is known of a screen that a pen looks at: the infrared band of a doped phosphor. Sets pen.infrared and
+ * its decay for those, nothing for others. */
+void inp_setup_screen(struct inp_setup *setup, const char *tube, const char *phosphor);
+
 /* The kind of a device: pen, keyboard (none, connected), tablet, touch, mouse; touch.screen (vector,
  * raster). False: no such key (*ours false), or no such value (a sentence). */
 bool inp_setup_set_kind(struct inp_setup *setup, const char *key, const char *value, bool *ours,

@@ -123,6 +123,7 @@ int main(void)
         measure(c, i);
     report_checks(c);
     picture_results(c);
+    field(); /* on the screen */
     board_mark(DONE);
     play(c);
     return 0;

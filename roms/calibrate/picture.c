@@ -27,17 +27,19 @@ static void text(const struct calibration *c, const struct canvas *page, int lin
     canvas_text_middle(page, page->width / 2, y, c->scale, c->scale, ink, words);
 }
 
-/* Above a target, clear of it. */
-static void number_it(const struct calibration *c, const struct canvas *page, int i, enum ink ink)
+/* Targets 1 to 9, checks A to D. */
+static char name(int i)
 {
-    char words[16];
+    return (char)(i < TARGETS ? '1' + i : 'A' + i - TARGETS);
+}
+
+/* Above a target, clear of its arms. */
+static void name_it(const struct calibration *c, const struct canvas *page, int i, enum ink ink)
+{
+    const char words[] = {name(i), '\0'};
     const struct place *p = &c->place[i];
-    if (i < TARGETS)
-        snprintf(words, sizeof words, "%d", i + 1);
-    else
-        snprintf(words, sizeof words, "%c", 'A' + i - TARGETS);
-    canvas_text_middle(page, p->x, p->y - c->half_y - (FONT_HEIGHT + 3) * c->scale, c->scale,
-                       c->scale, ink, words);
+    canvas_text_middle(page, p->x, p->y - c->half_y * 3 / 2 - (FONT_HEIGHT + 3) * c->scale - 4,
+                       c->scale, c->scale, ink, words);
 }
 
 /* ---- targets ------------------------------------------------------------------------------------- */
@@ -74,7 +76,7 @@ static void others(const struct calibration *c, const struct canvas *page, int n
         mark(page, p->x, p->y, c->half_y, ink);
         canvas_frame(page, p->x - c->half_x, p->y - c->half_y, 2 * c->half_x + 1, 2 * c->half_y + 1,
                      1, ink);
-        number_it(c, page, i, ink);
+        name_it(c, page, i, ink);
     }
 }
 
@@ -85,13 +87,12 @@ void picture_target(struct calibration *c, int number)
     canvas_clear(page, INK_BLACK);
     text(c, page, 0, INK_BRIGHT,
          number < TARGETS ? "LIGHT PEN: CALIBRATION" : "LIGHT PEN: CHECK OF THE CALIBRATION");
-    snprintf(
-        words, sizeof words, "Press the pen on the middle of box %s%d, hold it still, let go.",
-        number < TARGETS ? "" : "A to D: ", number < TARGETS ? number + 1 : number - TARGETS + 1);
+    snprintf(words, sizeof words, "Press the pen on the middle of box %c, hold it still, let go.",
+             name(number));
     text(c, page, 1, INK_TEXT, words);
     others(c, page, number);
     box(c, page, &c->place[number]);
-    number_it(c, page, number, INK_ORANGE);
+    name_it(c, page, number, INK_ORANGE);
     show(c);
 }
 
@@ -121,7 +122,7 @@ static void errors(const struct calibration *c, const struct canvas *page)
                      4 * c->scale + 1, c->scale, INK_RED);
         canvas_frame(page, x - 4 * c->scale, y - 4 * c->scale, 8 * c->scale + 1, 8 * c->scale + 1,
                      1, i < TARGETS ? INK_GREEN : INK_CYAN);
-        number_it(c, page, i, INK_TEXT);
+        name_it(c, page, i, INK_TEXT);
     }
 }
 

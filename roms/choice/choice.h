@@ -23,6 +23,7 @@
 
 #include "roms/interact/choose.h"
 #include "roms/interact/pointer.h"
+#include "roms/interact/pointer_tracking.h"
 #include "roms/stage/stage.h"
 
 enum { PAGE_ORBIT, PAGE_PROBE, PAGE_SIGNALS, PAGES };
@@ -105,13 +106,16 @@ void probe_step(struct probe *probe, float seconds);
 void probe_draw(const struct probe *probe, struct stage *stage, bool marked);
 extern const struct choose_item probe_items[];
 
-void signals_draw(const struct sources *sources, struct stage *stage);
+void signals_draw(const struct sources *sources, const struct pointer *pointer,
+                  struct stage *stage);
 
 /* ---- the program ------------------------------------------------------------------------------------- */
 
 struct choice {
     struct stage stage;
     struct pointer pointer;
+    struct tracking tracking; /* the pen on the vector head */
+    bool tracks;
     struct choose tabs, side;
     int page, slider; /* that + and - move */
     bool pen_field;

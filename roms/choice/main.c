@@ -99,6 +99,10 @@ static void pointed(struct choice *c)
         source_pointed(&c->sources, &c->pointer, c->side.items[item].label);
         choose_item(c, item);
     }
+    if (c->page == PAGE_SIGNALS && c->pointer.pressed_now &&
+        choose_at(&c->tabs, c->pointer.pressed_at) == CHOOSE_NONE &&
+        choose_at(&c->side, c->pointer.pressed_at) == CHOOSE_NONE)
+        source_pointed(&c->sources, &c->pointer, "Place");
     for (int i = 0; i < count; i++) {
         bool done;
         if (slider_event(&slider[i], &c->pointer, &done))
@@ -153,6 +157,8 @@ static void cursor(const struct pointer *p, struct stage *s)
     float x = p->at.x, y = p->at.y;
     if (!p->near)
         return;
+    if (p->report.tracked) /* there the tracking cross is */
+        stage_heads(s, STAGE_RASTER);
     stage_ink(s, p->pressed ? INK_BRIGHT : source_ink((int)p->device));
     for (int k = -1; k <= 1; k += 2) {
         float near = (float)(k * GAP), far = (float)(k * ARM);
@@ -177,10 +183,13 @@ static void draw(struct choice *c)
     else if (c->page == PAGE_PROBE)
         probe_draw(&c->probe, s, c->slider == 0);
     else
-        signals_draw(&c->sources, s);
+        signals_draw(&c->sources, &c->pointer, s);
     sources_draw(&c->sources, s);
     cursor(&c->pointer, s);
+    stage_heads(s, STAGE_BOTH);
     stage_caption(s, captions[c->page]);
+    if (c->tracks)
+        stage_chain(s, c->tracking.low);
     stage_end(s);
 }
 
@@ -208,6 +217,8 @@ static bool turn(struct choice *c, uint64_t *before)
     struct key_event key;
     uint32_t made = choices(&c->sources);
     uint64_t now = timer_now();
+    if (c->tracks)
+        tracking_frame(&c->tracking);
     while (pointer_poll(&c->pointer))
         pointed(c);
     while (keys_take(&key)) {
@@ -223,11 +234,24 @@ static bool turn(struct choice *c, uint64_t *before)
     return true;
 }
 
+/* The cross waits for the pen where it is in nobody's way. */
+static void track(struct choice *c)
+{
+    static const struct point2 corner = {980, 290}; /* head units */
+    c->tracks = input_present() & INPUT_BIT_PEN_VECTOR;
+    if (!c->tracks)
+        return;
+    tracking_begin(&c->tracking, STAGE_FREE_LOW, 0);
+    tracking_put(&c->tracking, corner);
+    pointer_follow(&c->pointer, &c->tracking);
+}
+
 int main(void)
 {
     static struct choice c;
     stage_open(&c.stage);
     pointer_open(&c.pointer, &c.stage);
+    track(&c);
     keyboard_on(false);
     orbit_begin(&c.orbit);
     probe_begin(&c.probe);

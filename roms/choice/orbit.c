@@ -101,7 +101,7 @@ static struct point2 turned(const struct view *v, float x, float y)
 static struct view view_of(const struct orbit *o)
 {
     struct view v = {.a = half_axis(o),
-                     .middle = {(VIEW_LEFT + VIEW_RIGHT) / 2, (VIEW_BOTTOM + VIEW_TOP) / 2}};
+                     .middle = {(VIEW_LEFT + VIEW_RIGHT) / 2 + 75, (VIEW_BOTTOM + VIEW_TOP) / 2}};
     v.e = 1 - scalar_min(o->perigee, v.a) / v.a;
     v.b = v.a * sqrtf(1 - v.e * v.e);
     v.scale = 278 / scalar_max(v.a, 1.5f);
@@ -161,7 +161,8 @@ static void sectors(const struct view *v, struct stage *s)
     stage_ink(s, INK_GRID);
     for (int i = 0; i < SECTORS; i++) {
         struct point2 p = at_mean(v, TURN * (float)i / SECTORS);
-        stage_line(s, v->planet.x, v->planet.y, p.x, p.y);
+        float dx = p.x - v->planet.x, dy = p.y - v->planet.y, r = v->scale / hypotf(dx, dy);
+        stage_line(s, v->planet.x + r * dx, v->planet.y + r * dy, p.x, p.y);
     }
 }
 

@@ -268,6 +268,7 @@ static void gauge(const struct probe *p, struct stage *s)
     stage_rectangle(s, LEFT, BOTTOM, SIDE_WIDTH, HEIGHT);
     float x = LEFT + SIDE_WIDTH * (POWER_FOR_ENGINE / 100.0f);
     stage_line(s, x, BOTTOM - 8, x, BOTTOM + HEIGHT + 8);
+    stage_ink(s, enough ? INK_GREEN : INK_RED);
     stage_text(s, LEFT, BOTTOM - 34, enough ? "engine: ready" : "engine: no power");
 }
 

@@ -4,7 +4,7 @@
 #include "roms/choice/choice.h"
 #include "roms/stage/panel.h"
 
-enum { MAP_LEFT = 820, MAP_BOTTOM = 420, MAP_WIDTH = 360, MAP_HEIGHT = 240 };
+enum { MAP_LEFT = 820, MAP_BOTTOM = 440, MAP_WIDTH = 360, MAP_HEIGHT = 240 };
 
 static bool connected(int source)
 {
@@ -38,12 +38,24 @@ static void kinds(struct stage *s)
                connected(SOURCE_KEYS) ? "keys      keyboard" : "keys      console only");
 }
 
+/* Of the picture, on the map. */
+static void box(struct stage *s, float x, float y, float width, float height)
+{
+    const float part = MAP_WIDTH / (float)STAGE_WIDTH;
+    stage_rectangle(s, MAP_LEFT + part * x, MAP_BOTTOM + part * y, part * width, part * height);
+}
+
 static void map(const struct sources *sources, struct stage *s)
 {
     stage_ink(s, INK_BRIGHT);
-    stage_text(s, MAP_LEFT, MAP_BOTTOM + MAP_HEIGHT + 40, "WHERE IT WAS CHOSEN");
+    stage_text(s, MAP_LEFT, MAP_BOTTOM + MAP_HEIGHT + 16, "WHERE IT WAS CHOSEN");
     stage_ink(s, INK_GRID);
     stage_rectangle(s, MAP_LEFT, MAP_BOTTOM, MAP_WIDTH, MAP_HEIGHT);
+    for (int i = 0; i < 3; i++)
+        box(s, SIDE_LEFT + 389.3f * (float)i, 744, 381.3f, 48);
+    for (int i = 0; i < 6; i++)
+        box(s, SIDE_LEFT, SIDE_TOP - CHOOSE_HEIGHT - (float)(i * (CHOOSE_HEIGHT + CHOOSE_GAP)),
+            SIDE_WIDTH, CHOOSE_HEIGHT);
     unsigned from = sources->places > PLACES ? sources->places - PLACES : 0;
     for (unsigned i = from; i < sources->places; i++) {
         struct point2 at = sources->place[i % PLACES].at;
@@ -53,11 +65,27 @@ static void map(const struct sources *sources, struct stage *s)
     }
 }
 
-void signals_draw(const struct sources *sources, struct stage *s)
+/* What the pointer says at this moment. */
+static void live(const struct pointer *p, struct stage *s)
+{
+    char text[64];
+    struct panel panel = panel_open(s, VIEW_LEFT, 528, 25, 3, "NOW");
+    if (p->device == POINTER_NONE)
+        return;
+    snprintf(text, sizeof text, "%-7s %4d %4d", source_name((int)p->device), (int)p->at.x,
+             (int)p->at.y);
+    panel_line(&panel, source_ink((int)p->device), text);
+    snprintf(text, sizeof text, "%s%s%s", p->near ? "near " : "far ", p->pressed ? "pressed" : "",
+             p->lost ? " lost" : "");
+    panel_line(&panel, INK_TEXT, text);
+}
+
+void signals_draw(const struct sources *sources, const struct pointer *pointer, struct stage *s)
 {
     kinds(s);
+    live(pointer, s);
     map(sources, s);
-    struct panel p = panel_open(s, VIEW_LEFT, 390, 48, 8, "WHAT IT SAID LAST");
+    struct panel p = panel_open(s, VIEW_LEFT, 420, 48, 7, "WHAT IT SAID AT ITS LAST CHOICE");
     for (int i = 1; i < SOURCES; i++) {
         char text[80];
         snprintf(text, sizeof text, "%-7s%s", source_name(i),

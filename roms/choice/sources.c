@@ -38,7 +38,7 @@ static void pointed(char *text, size_t size, const struct pointer *p)
                  (int)(r->z & 0xFFFF), (int)r->x, (int)r->y);
         break;
     case POINTER_MOUSE:
-        snprintf(text, size, "dx %d dy %d counts, %u nm each", (int)r->x, (int)r->y,
+        snprintf(text, size, "x %d y %d counts of %u nm", (int)p->mouse_x, (int)p->mouse_y,
                  (unsigned)p->mouse_nm);
         break;
     case POINTER_PEN:

@@ -13,6 +13,7 @@ static void open_items(struct choose *c, const struct choose_item *items, int co
                          .count = count < CHOOSE_MOST ? count : CHOOSE_MOST,
                          .focus = true,
                          .marked = CHOOSE_NONE,
+                         .over = CHOOSE_NONE,
                          .changed = true,
                          .pressed = CHOOSE_NONE};
 }
@@ -80,11 +81,13 @@ static void look(struct choose *c, int marked, int pressed, bool inside)
     c->inside = inside;
 }
 
-/* The mark follows the pointer, but stays where keys have put it while the pointer is elsewhere. */
-static int marked_by(const struct choose *c, const struct pointer *p)
+/* The mark goes where the pointer goes; while that stays, keys move it. */
+static int marked_by(struct choose *c, const struct pointer *p)
 {
     int over = p->near || p->pressed || p->released_now ? enabled_at(c, p->at) : CHOOSE_NONE;
-    return over != CHOOSE_NONE ? over : c->marked;
+    bool moved = over != c->over;
+    c->over = over;
+    return moved ? over : c->marked;
 }
 
 int choose_event(struct choose *c, const struct pointer *p)

@@ -50,6 +50,7 @@ struct choose {
     bool changed; /* it looks different now */
     /* Private. */
     bool across;
+    int over; /* the item under the pointer; or NONE */
     float item_width;
     int pressed; /* the item where the pointer was pressed; or NONE */
     bool inside; /* the pointer is still there */

@@ -122,6 +122,9 @@ static bool tip_report(struct pointer *p, struct pointer_report *r)
     }
     p->pen_tap = p->pen_waits && !r->pressed;
     r->place = p->pen_place;
+    r->x = p->pen_said[0];
+    r->y = p->pen_said[1];
+    r->z = p->pen_said[2];
     return r->pressed ? sees : p->seen[POINTER_PEN].pressed;
 }
 
@@ -135,6 +138,9 @@ static bool firing_report(struct pointer *p, struct pointer_report *r)
     if (!follows && !r->sure)
         return false;
     p->pen_place = r->place;
+    p->pen_said[0] = r->x;
+    p->pen_said[1] = r->y;
+    p->pen_said[2] = r->z;
     p->pen_seen = r->time;
     p->pen_sees = true;
     if (p->pen_tap && !within_ms(p->pen_pushed, r->time, POINTER_PATIENCE_MS))
@@ -247,6 +253,10 @@ static bool take_oldest(struct pointer *p)
         return false;
     if (says && raster_pen && r.pressed)
         end_tap(p);
+    if (r.device == POINTER_MOUSE) {
+        p->mouse_x += r.x;
+        p->mouse_y += r.y;
+    }
     p->taken++;
     return true;
 }

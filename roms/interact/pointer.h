@@ -8,8 +8,8 @@
  *             about its middle. A mouse moves the place by counts, 10 stage units a millimetre, and up to
  *             twice that when it is fast. A finger is where it touches, and pressed while it does. A light
  *             pen on the raster head is where it fires, corrected by what calibration found
- *             (pointer_calibrate); on the vector head it is where a tracking cross follows it: whoever moves
- *             the cross says so (pointer_pen_place).
+ *             (pointer_calibrate); on the vector head it is where a tracking cross follows it
+ *             (pointer_tracking.h).
  * Use:        once a retrace is often enough. Reports are taken from the devices by interrupt and wait in a
  *             queue, so a program that is busy drawing loses none:
  *
@@ -91,6 +91,7 @@ struct pointer {
     unsigned buttons;             /* others: bit 1, 2, 3 */
     bool lost;                    /* reports were lost: a stroke may have a gap */
     struct pointer_report report; /* the last of the device that has the pointer */
+    int32_t mouse_x, mouse_y;     /* counts in all */
     /* Private. */
     struct stage *stage;
     struct tablet_facts tablet;
@@ -101,7 +102,9 @@ struct pointer {
     /* The raster pen, as reports are taken. */
     struct point2 pen_at, pen_place; /* of the last firing; of the last that was believed */
     uint32_t pen_time, pen_seen;     /* when that was */
+    int32_t pen_said[3];             /* x, y, z of its report */
     uint32_t pen_pushed;             /* when the tip was pressed that is not yet told of */
+    bool follows; /* the tracking cross has the pen of the vector head (pointer_tracking.h) */
     bool pen_fired, pen_sees, pen_tip, pen_waits, pen_tap;
     /* Written by handlers. */
     struct pointer_report queue[POINTER_QUEUE];

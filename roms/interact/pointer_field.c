@@ -5,9 +5,11 @@
 #include "roms/interact/pointer.h"
 
 enum {
-    REST = 4,        /* fields between blue ones: they flash, but the picture stays */
-    DARK_MS = 40,    /* a pen that has not fired for so long sees black: two fields and more */
-    BLUE = 0x0000FF, /* of the primaries the one that a person sees least */
+    REST = 4,     /* fields between blue ones: they flash, but the picture stays */
+    DARK_MS = 40, /* a pen that has not fired for so long sees black: two fields and more */
+    /* Of the primaries the one that a person sees least. Colour tubes would do with half of it; on one gun
+     * a darker one is seen later than the picture is. */
+    BLUE = 0x0000D0,
 };
 
 static void paint_blue(struct pointer *p)

@@ -27,7 +27,7 @@ enum {
 
 #define REACH_FIRST   5.0f /* before it is learnt: a pen of 3 mm on a VR17 */
 #define LEARN         0.25f
-#define SMOOTH        0.5f
+#define SMOOTH        0.7f
 #define STILL         1.0f /* units a refresh that may be rounding */
 #define SPIRAL_FIRST  110.0f
 #define SPIRAL_GROWTH 70.0f

@@ -5,7 +5,7 @@
 #include "roms/geometry/scalar.h"
 #include "roms/track/track.h"
 
-enum { LEFT = 8, TOP = 770, LENS_X = 1060, LENS_Y = 660, LENS = 120, LENS_UNITS = 20 };
+enum { LEFT = 8, TOP = 770, LENS_X = 1060, LENS_Y = 660, LENS = 120, LENS_UNITS = 20, CROSS = 28 };
 
 static struct point2 place(const struct stage *stage, struct point2 head)
 {
@@ -52,6 +52,17 @@ static void draw_velocity(struct stage *stage, const struct tracking *t)
     line(stage, t->at, to);
     to = place(stage, to);
     stage_marker(stage, to.x, to.y);
+}
+
+/* The vector head has the cross itself. */
+static void draw_cross(struct stage *stage, const struct tracking *t)
+{
+    struct point2 at = place(stage, t->cross);
+    stage_heads(stage, STAGE_RASTER);
+    stage_ink(stage, t->state == TRACKING_LOST ? INK_RED : INK_BRIGHT);
+    stage_line(stage, at.x - CROSS, at.y, at.x + CROSS, at.y);
+    stage_line(stage, at.x, at.y - CROSS, at.x, at.y + CROSS);
+    stage_heads(stage, STAGE_BOTH);
 }
 
 /* ---- enlarged -------------------------------------------------------------------------------------- */
@@ -103,6 +114,7 @@ static void draw_lens(struct stage *stage, const struct tracking *t)
     }
     stage_ink(stage, INK_TEXT);
     stage_text_middle(stage, LENS_X, LENS_Y - LENS - 30, "what the arms saw");
+    stage_text_middle(stage, LENS_X, LENS_Y - LENS - 60, "+ off: one way");
 }
 
 /* ---- figures ------------------------------------------------------------------------------------------ */
@@ -140,6 +152,7 @@ void view_draw(struct stage *stage, const struct tracking *t, const struct cours
     draw_trail(stage, s);
     draw_ink(stage, s);
     draw_velocity(stage, t);
+    draw_cross(stage, t);
     stage_ink(stage, INK_TEXT);
     stage_caption(stage, c->state == TRACKING_LOST
                              ? "Point at the blinking cross to take it up, or scan the screen: s"

@@ -28,9 +28,7 @@ struct scene {
     const struct crt_tube_row *row;
     const struct crt_phosphor *phosphor;
     struct crt_stroke stroke;
-    struct slow_shares shares;
-    double power[CRT_MAX_COLOURS], place;
-    double dense; /* steps of the slow model a ns */
+    double power[CRT_MAX_COLOURS], sigma;
 };
 
 static inline void draw_scene(struct scene *s)
@@ -64,7 +62,7 @@ static inline void draw_scene(struct scene *s)
     inp_pen_init(&s->pen, &desc);
     inp_hand_move(&s->pen.hand, (struct inp_place){px, py, 0}, 0, 0);
     struct crt_spot spot = crt_spot_at(s->row, &desc.knobs, (double)s->stroke.drive);
-    slow_shares_make(&s->shares, s->setup.aperture.value / 2, spot.sigma_mm);
+    s->sigma = spot.sigma_mm;
     for (int c = 0; c < CRT_MAX_COLOURS; c++)
         s->power[c] = spot.power;
 }

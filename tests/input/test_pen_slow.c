@@ -25,13 +25,15 @@ static void share_is_that_of_the_rings(void **state)
 
 /* ---- strokes ------------------------------------------------------------------------------------ */
 
+static struct slow_shares shares;
+
 static void power_at(const struct scene *s, double part, double power[CRT_MAX_COLOURS])
 {
     double x = (double)s->stroke.x0 + ((double)s->stroke.x1 - (double)s->stroke.x0) * part -
                s->pen.hand.to.x;
     double y = (double)s->stroke.y0 + ((double)s->stroke.y1 - (double)s->stroke.y0) * part -
                s->pen.hand.to.y;
-    double share = slow_share_at(&s->shares, sqrt(x * x + y * y));
+    double share = slow_share_at(&shares, sqrt(x * x + y * y));
     for (int c = 0; c < CRT_MAX_COLOURS; c++)
         power[c] = s->power[c] * share;
 }
@@ -70,6 +72,7 @@ static void strokes_fire_when_the_slow_model_does(void **state)
     for (int i = 0; i < 100; i++) {
         double most;
         draw_scene(&s);
+        slow_shares_make(&shares, s.setup.aperture.value / 2, s.sigma);
         slow_crossing(&s, HUGE_VAL, &most);
         double level = most * pow(10, even(-2.5, 0.1));
         if (!(most > 1) || fabs(level - most) < 0.02 * most)
@@ -220,11 +223,11 @@ static void lines_fire_when_the_slow_model_does(void **state)
     double worst = 0;
     int fired = 0, not = 0;
     (void)state;
-    for (int i = 0; i < 14; i++) {
+    for (int i = 0; i < 16; i++) {
         double most;
         draw_sweep(&s);
         sweep_crossing(&s, HUGE_VAL, &most);
-        double level = most * pow(10, even(-2, 0.1));
+        double level = most * pow(10, even(-2, 0.4));
         if (!(most > 1) || fabs(level - most) < 0.03 * most)
             continue;
         s.setup.threshold.value = level;
@@ -244,7 +247,7 @@ static void lines_fire_when_the_slow_model_does(void **state)
         fired++;
     }
     print_message("%d fired, %d not; at most %.1f ns apart\n", fired, not, worst * 1e3);
-    assert_true(fired > 8 && worst < 0.01);
+    assert_true(fired > 6 && not > 0 && worst < 0.01);
 }
 
 int main(void)

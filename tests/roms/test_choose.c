@@ -149,10 +149,22 @@ static void the_mark_follows_the_pointer(void **state)
     poll(middle(2), false);
     assert_false(menu.changed);
     poll((struct point2){600, 100}, false);
-    assert_int_equal(menu.marked, 2); /* it stays for the keys */
+    assert_int_equal(menu.marked, CHOOSE_NONE);
     menu.disabled = 1u << 4;
     poll(middle(4), false);
-    assert_int_equal(menu.marked, 2);
+    assert_int_equal(menu.marked, CHOOSE_NONE);
+    /* A stylus that rests, and trembles, leaves the mark to the keys. */
+    poll(middle(2), false);
+    choose_key(&menu, &(struct key_event){.code = KEYCODE_RIGHT});
+    assert_int_equal(menu.marked, 3);
+    for (int i = 0; i < 5; i++) {
+        struct point2 at = middle(2);
+        at.x += (float)i;
+        poll(at, false);
+        assert_int_equal(menu.marked, 3);
+    }
+    poll(middle(1), false);
+    assert_int_equal(menu.marked, 1);
 }
 
 /* ---- keys ------------------------------------------------------------------------------------------- */

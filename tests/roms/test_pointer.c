@@ -19,6 +19,7 @@ void video_set_colour(unsigned index, uint32_t rgb);
 #include "roms/interact/pointer.c"
 #include "roms/interact/pointer_devices.c"
 #include "roms/interact/pointer_field.c"
+#include "roms/interact/pointer_tracking.c"
 
 /* ---- the board ----------------------------------------------------------------------------------- */
 
@@ -562,6 +563,37 @@ static void whoever_tracks_the_vector_pen_says_so(void **state)
     assert_true(!p.near && p.released_now);
 }
 
+/* Of 1024 by 1024 head units the picture is the middle 1024 by 682.67. */
+static void the_tracking_cross_points(void **state)
+{
+    (void)state;
+    static struct tracking tracking;
+    open_all();
+    pointer_follow(&p, &tracking);
+    struct tracking_sample sample = {{900, 600}, TRACKING_LOST, true, 0};
+    tracking.place(tracking.place_ctx, &sample);
+    assert_false(pointer_poll(&p)); /* a lost cross is nobody's pointer */
+    for (int k = 0; k < 500; k++) {
+        bool pressed = random_below(2) == 0;
+        sample = (struct tracking_sample){
+            {random_between(0, 1023), random_between(0, 1023)}, TRACKING_FOLLOWING, pressed, 0};
+        tracking.place(tracking.place_ctx, &sample);
+        pointer_poll(&p);
+        double y = ((double)sample.at.y - 512) * 1200 / 1024 + 400;
+        assert_near(p.at.x, (double)sample.at.x * 1200 / 1024, 0.01);
+        assert_near(p.at.y, fmin(fmax(y, 0), 800), 0.01);
+        assert_true(p.near && p.pressed == pressed && p.device == POINTER_PEN);
+    }
+    sample = (struct tracking_sample){{500, 500}, TRACKING_FOLLOWING, true, 0};
+    tracking.place(tracking.place_ctx, &sample);
+    sample.state = TRACKING_SEARCHING;
+    tracking.place(tracking.place_ctx, &sample);
+    pointer_poll(&p);
+    assert_true(!p.near && !p.pressed && p.released_now);
+    tracking.place(tracking.place_ctx, &sample);
+    assert_false(pointer_poll(&p)); /* told once */
+}
+
 /* ---- raster pen --------------------------------------------------------------------------------------- */
 
 /* Where the beam is over a place of the stage, late by so much. */
@@ -779,7 +811,7 @@ static void a_tap_that_no_light_answers_is_none(void **state)
 static bool is_blue(void)
 {
     for (int i = 0; i < VIDEO_LUT_ENTRIES; i++)
-        if (table[i] != 0x0000FF)
+        if (table[i] != table[0] || (table[i] & ~0xFFu) != 0 || table[i] < 0x80)
             return false;
     return true;
 }
@@ -859,6 +891,7 @@ int main(void)
         cmocka_unit_test(the_device_used_last_has_it),
         cmocka_unit_test(a_press_elsewhere_releases_first),
         cmocka_unit_test(whoever_tracks_the_vector_pen_says_so),
+        cmocka_unit_test(the_tracking_cross_points),
         cmocka_unit_test(a_pen_is_where_it_fires),
         cmocka_unit_test(a_firing_in_the_next_row_belongs_to_the_last),
         cmocka_unit_test(rows_say_where_the_middle_is),

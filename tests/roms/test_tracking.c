@@ -353,7 +353,6 @@ static double greatest(double rate, bool circle, bool predicts)
 {
     double worst, most = 0;
     for (double v = 40; v < 4000 && follows(rate, v / MM, circle, predicts, &worst); v *= 1.1) {
-        if (worst > 2 + v / MM * 2e-3) printf("%g %g\n", v, worst);
         assert_true(worst < 2 + v / MM * 2e-3);
         most = v;
     }
