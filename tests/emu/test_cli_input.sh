@@ -88,6 +88,17 @@ timeout 60 "$KINESCOPE" capture "$roms/spin.df" --input script -o a.png 2>err
 check "the picture was taken after the waits" sh -c \
     "tr -c '[:print:]' '\n' <a.png | grep -A3 'Simulated time' | grep -q '^2\.'"
 
+# ---- a trace that begins later is the end of the whole one
+for program in choice calibrate; do
+    "$KINESCOPE" trace "$roms/$program.elf" --what input --input "$roms/$program.script" >whole 2>err
+    at=$(awk '$2 ~ /^[0-9]+$/ { t[++n] = $2 } END { printf "%.0f", t[int(n / 2)] + 1 }' whole)
+    "$KINESCOPE" trace "$roms/$program.elf" --what input --input "$roms/$program.script" \
+        --from "${at}ps" >later 2>err
+    check "$program: there is a later half" [ -s later ]
+    tail -n "$(wc -l <later)" whole | cmp - later >err 2>&1
+    check "$program: a trace from $at ps on" [ $? -eq 0 ]
+done
+
 # ---- a record does it again
 printf 'at 1ms pen move 500 500\n+1ms pen down\ntype "a" in 5ms\nmouse click left in 2ms\n' >script
 says "recorded" 0 'simulated' run "$roms/spin.df" --headless --for 1s --input script --record once

@@ -128,6 +128,43 @@ static void cutting_the_run_changes_nothing(void **state)
     }
 }
 
+/* Whether somebody looks makes no difference to what the pens see. */
+static void devices_do_not_depend_on_tubes(void **state)
+{
+    (void)state;
+    static const char *const paths[] = {"roms/lander.df", "roms/heads.elf"};
+    for (size_t p = 0; p < COUNT(paths); p++) {
+        const uint64_t end = CRT_PS_PER_S;
+        struct inp_act act[40];
+        for (size_t i = 0; i < COUNT(act); i++)
+            act[i] = (struct inp_act){.t = i * 25 * MS,
+                                      .duration = 20 * MS,
+                                      .device = INP_PEN,
+                                      .verb = INP_MOVE,
+                                      .screen = (uint8_t)(p == 1 && i % 8 < 6),
+                                      .x = (int32_t)(i * 37 % 80) * 1000 - 40000,
+                                      .y = (int32_t)(i * 53 % 80) * 1000 - 40000};
+        const struct vm_settings_options options = {.threads = 1};
+        struct snap_run *run[2];
+        for (int light = 0; light < 2; light++) {
+            run[light] = snap_open(paths[p], light, &options);
+            assert_true(vm_operator_read(run[light]->rig.person, act, COUNT(act)));
+            vm_machine_run(run[light]->rig.machine, end);
+        }
+        for (int s = 0; s < INP_SCREENS; s++) {
+            const struct inp_pen_port *dark = &run[0]->rig.machine->devices.port[s];
+            const struct inp_pen_port *lit = &run[1]->rig.machine->devices.port[s];
+            assert_int_equal(dark->firings > 0, s == (int)p); /* lander: vector, heads: raster */
+            assert_memory_equal(dark, lit, sizeof *dark);
+            assert_memory_equal(&run[0]->rig.machine->devices.pen[s].sight,
+                                &run[1]->rig.machine->devices.pen[s].sight,
+                                sizeof run[0]->rig.machine->devices.pen[s].sight);
+        }
+        snap_close(run[0]);
+        snap_close(run[1]);
+    }
+}
+
 /* ---- live, and taken back ----------------------------------------------------------------------- */
 
 static void live_acts_are_as_those_of_a_script(void **state)
@@ -374,6 +411,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(acts_come_at_their_times_in_order),
         cmocka_unit_test(cutting_the_run_changes_nothing),
+        cmocka_unit_test(devices_do_not_depend_on_tubes),
         cmocka_unit_test(live_acts_are_as_those_of_a_script),
         cmocka_unit_test(a_new_act_makes_later_ones_forgotten),
         cmocka_unit_test(runs_with_devices_go_on_from_any_instant),
