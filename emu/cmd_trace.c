@@ -217,10 +217,10 @@ static int print_events(struct trace *t, struct crt_error *err)
         return VM_EXIT_TROUBLE;
     if (what_of(t) == VM_TRACE_BEAM)
         print_header(t, end);
-    vm_trace_lines_init(&lines, what_of(t), t->out, rig.machine);
     struct vm_progress progress;
     vm_progress_begin(&progress);
     vm_progress_run(&progress, rig.machine, from);
+    vm_trace_lines_init(&lines, what_of(t), t->out, rig.machine);
     vm_progress_trace(&progress, rig.machine, end, &lines.hooks);
     vm_progress_end(&progress);
     status = vm_saved_save(&t->o.saved, &rig, &t->settings, &t->input, err) ? judge(t, &rig, err)

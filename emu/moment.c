@@ -16,7 +16,8 @@ const struct vm_option vm_moment_rows[VM_MOMENT_ROWS] = {
      "stop:N or refresh:N, the end of the N-th stop word or refresh; of firmware also mark:N, when "
      "it "
      "sets that mark, or console:TEXT, when it has printed that; default: the end of the first "
-     "complete refresh after 0.5 s, and after what --type types has been answered",
+     "complete refresh after 0.5 s, and after what --type types has been answered and --input is "
+     "over",
      0, 0},
     {"timeout", 0, VM_OPT_TIME, ROW(timeout), "T",
      "give up, with status 3, when --when has not come by then; default 60s", 0, 0},
@@ -95,17 +96,24 @@ static int find_event(struct vm_machine *m, const char *when, uint64_t timeout, 
     return found && m->now <= timeout ? 0 : no_event(m, when, timeout, err);
 }
 
-/* When all that was typed has been read, the script of acts is over, and the firmware, having done what it was told, waits for more: it
- * hardly computes for a while. Firmware that always computes is taken some seconds later. 0: nothing was
- * done. */
-static uint64_t answered(struct vm_machine *m)
+static void run_shown(struct vm_machine *m, uint64_t until)
+{
+    struct vm_progress progress;
+    vm_progress_begin(&progress);
+    vm_progress_run(&progress, m, until);
+    vm_progress_end(&progress);
+}
+
+/* When all that was typed has been read, the script of acts is over, its waits too, and the firmware,
+ * having done what it was told, waits for more: it hardly computes for a while. Firmware that always
+ * computes is taken some seconds later. 0: nothing was done. */
+static uint64_t answered(struct vm_machine *m, uint64_t script)
 {
     const uint64_t slice = CRT_PS_PER_S / 20, few = VM_CPU_HZ / 20 / 100, most = 3 * CRT_PS_PER_S;
     const struct vm_console *console = m->desc.console;
-    uint64_t script = m->desc.person ? vm_operator_script_end(m->desc.person) : 0;
     uint64_t timeout = TIMEOUT_PS + script;
     if (script > m->now)
-        vm_machine_run(m, script);
+        run_shown(m, script);
     else if (!console || vm_console_empty(console))
         return 0;
     if (!console || !m->desc.board)
@@ -122,12 +130,12 @@ static uint64_t answered(struct vm_machine *m)
 
 /* The first complete refresh once things have settled; a program that never completes one is shown
  * when they have. A machine that was loaded has settled, but for the tick whose light is gathered. */
-static int find_refresh(struct vm_machine *m, const struct vm_time *timeout, uint64_t limit,
-                        uint64_t *moment, struct crt_error *err)
+static int find_refresh(struct vm_machine *m, uint64_t script, const struct vm_time *timeout,
+                        uint64_t limit, uint64_t *moment, struct crt_error *err)
 {
     char text[32];
     uint64_t loaded = m->now ? m->now + crt_tick_time(m->desc.tick, 1) : 0;
-    uint64_t settled = loaded > VM_SETTLED_PS ? loaded : VM_SETTLED_PS, told = answered(m);
+    uint64_t settled = loaded > VM_SETTLED_PS ? loaded : VM_SETTLED_PS, told = answered(m, script);
     settled = told > settled ? told : settled;
     *moment = settled;
     limit = limit > settled ? limit : settled + PATIENCE_PS;
@@ -176,16 +184,14 @@ int vm_moment_find(struct vm_rig *rig, const struct vm_moment_options *o,
     } else if (o->when) {
         status = find_event(m, o->when, timeout, moment, err);
     } else {
-        status = find_refresh(
-            m, &o->timeout, o->timeout.given ? timeout : VM_SETTLED_PS + PATIENCE_PS, moment, err);
+        status =
+            find_refresh(m, input->script.end, &o->timeout,
+                         o->timeout.given ? timeout : VM_SETTLED_PS + PATIENCE_PS, moment, err);
     }
     if (status == 0 && *moment == 0) {
         crt_fail(err, "at power-on no light has been gathered yet; give a time above zero");
         return 2;
     }
-    struct vm_progress progress;
-    vm_progress_begin(&progress);
-    vm_progress_run(&progress, m, *moment);
-    vm_progress_end(&progress);
+    run_shown(m, *moment);
     return status;
 }

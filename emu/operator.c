@@ -85,13 +85,3 @@ struct vm_done vm_operator_before(const struct vm_operator *o, uint64_t t)
 {
     return (struct vm_done){before(&o->script, t), before(&o->live, t)};
 }
-
-uint64_t vm_operator_script_end(const struct vm_operator *o)
-{
-    uint64_t end = 0;
-    for (size_t i = 0; i < o->script.count; i++) {
-        uint64_t t = o->script.act[i].t + o->script.act[i].duration;
-        end = t > end ? t : end;
-    }
-    return end;
-}

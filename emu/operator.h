@@ -44,7 +44,5 @@ const struct inp_act *vm_operator_next(const struct vm_operator *o, const struct
 void vm_operator_done(const struct vm_operator *o, struct vm_done *done);
 /* What is done when everything before t has happened. */
 struct vm_done vm_operator_before(const struct vm_operator *o, uint64_t t);
-/* When the script's last act has ended; 0: there is none. */
-uint64_t vm_operator_script_end(const struct vm_operator *o);
 
 #endif

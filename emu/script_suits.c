@@ -13,8 +13,8 @@ static void say_why(const struct vm_settings *s, unsigned heads, const struct in
     const struct inp_setup *setup = &s->setup;
     bool headed = act->device == INP_PEN || act->device == INP_TOUCH || act->device == INP_KNOB;
     if (act->device == INP_TABLET && setup->tablet.kind != TABLET_NONE)
-        snprintf(why, size, "the tablet's stylus has buttons 0 to %g (tablet.buttons)",
-                 setup->tablet.buttons.value - 1);
+        snprintf(why, size, "the last button there is %g (--set tablet.buttons=%g)",
+                 setup->tablet.buttons.value - 1, setup->tablet.buttons.value);
     else if (act->device == INP_TOUCH && setup->touch.kind != TOUCH_NONE &&
              act->screen != setup->touch.screen)
         snprintf(why, size, "the touch panel is over the other head (--set touch.screen=%s)",

@@ -134,6 +134,14 @@ static bool set_input(struct inp_setup *setup, const char *name, const char *tex
     return inp_setup_check(setup, name, err);
 }
 
+static bool is_input(struct inp_setup *setup, const char *name)
+{
+    for (unsigned i = 0; inp_setup_key(i); i++)
+        if (strcmp(inp_setup_key(i), name) == 0)
+            return true;
+    return inp_setup_figure(setup, name, NULL, NULL) != NULL;
+}
+
 /* KEY=VALUE, HEAD.KEY=VALUE. */
 static bool set_one(struct vm_settings *s, const char *item, struct crt_error *err)
 {
@@ -156,7 +164,8 @@ static bool set_one(struct vm_settings *s, const char *item, struct crt_error *e
         heads = name[0] == 'v' ? VM_VIEW_VECTOR : VM_VIEW_RASTER;
         s->raster_asked |= heads == VM_VIEW_RASTER;
         name += 7;
-        if (strcmp(name, "memory") == 0 || strcmp(name, "dpu.average") == 0)
+        if (strcmp(name, "memory") == 0 || strcmp(name, "dpu.average") == 0 ||
+            is_input(&s->setup, name))
             return crt_fail(err, "%s belongs to no head; leave out '%.7s'", name, key);
     }
     bool ours, ok = set_input(&s->setup, key, text, &ours, err);

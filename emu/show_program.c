@@ -152,7 +152,8 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
     show->program = program;
     vm_show_first_hand(show);
     show->film_ready = false;
-    show->knobs = program->settings.monitor[program->settings.main].knobs;
+    const struct vm_machine_desc *desc = &program->rig.machine->desc; /* --load-state turned them */
+    show->knobs = program->settings.main == VM_RASTER ? desc->raster_knobs : desc->knobs;
     show->view = program->settings.view;
     show->view_drawn = VM_VIEW_AUTO;
     if (path != show->path)

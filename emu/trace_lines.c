@@ -198,6 +198,18 @@ static void print_input(void *ctx, uint64_t t, const struct inp_unit *unit)
     print_mouse(l, t, &unit->mouse);
 }
 
+/* What was reported before the trace begins is no news. */
+static void see(struct vm_trace_lines *l, const struct inp_unit *unit, uint64_t t)
+{
+    for (int s = 0; s < INP_SCREENS; s++)
+        l->seen.firings[s] = unit->port[s].firings;
+    l->seen.tablet = unit->tablet.serial;
+    l->seen.touch = unit->touch.serial;
+    inp_mouse_read(&unit->mouse, INPUT_MOUSE_X, t, &l->seen.x);
+    inp_mouse_read(&unit->mouse, INPUT_MOUSE_Y, t, &l->seen.y);
+    inp_mouse_read(&unit->mouse, INPUT_MOUSE_BUTTONS, t, &l->seen.buttons);
+}
+
 void vm_trace_lines_init(struct vm_trace_lines *l, enum vm_trace_what what, FILE *out,
                          const struct vm_machine *machine)
 {
@@ -217,6 +229,7 @@ void vm_trace_lines_init(struct vm_trace_lines *l, enum vm_trace_what what, FILE
     if (what == VM_TRACE_INPUT) {
         l->hooks.act = print_act;
         l->hooks.input = print_input;
+        see(l, &machine->devices, machine->now);
     }
     if (what == VM_TRACE_VIDEO) {
         l->raster.signal = print_signal;

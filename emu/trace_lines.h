@@ -54,7 +54,8 @@ struct vm_trace_lines {
     struct vm_hooks hooks;     /* for vm_machine_trace */
 };
 
-/* `lines` must stay where it is while its hooks are in use. */
+/* For a trace from machine->now on: what devices reported before is not printed. `lines` must stay where it
+ * is while its hooks are in use. */
 void vm_trace_lines_init(struct vm_trace_lines *lines, enum vm_trace_what what, FILE *out,
                          const struct vm_machine *machine);
 

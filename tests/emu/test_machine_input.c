@@ -128,6 +128,43 @@ static void cutting_the_run_changes_nothing(void **state)
     }
 }
 
+/* Whether somebody looks makes no difference to what the pens see. */
+static void devices_do_not_depend_on_tubes(void **state)
+{
+    (void)state;
+    static const char *const paths[] = {"roms/lander.df", "roms/heads.elf"};
+    for (size_t p = 0; p < COUNT(paths); p++) {
+        const uint64_t end = CRT_PS_PER_S;
+        struct inp_act act[40];
+        for (size_t i = 0; i < COUNT(act); i++)
+            act[i] = (struct inp_act){.t = i * 25 * MS,
+                                      .duration = 20 * MS,
+                                      .device = INP_PEN,
+                                      .verb = INP_MOVE,
+                                      .screen = (uint8_t)(p == 1 && i % 8 < 6),
+                                      .x = (int32_t)(i * 37 % 80) * 1000 - 40000,
+                                      .y = (int32_t)(i * 53 % 80) * 1000 - 40000};
+        const struct vm_settings_options options = {.threads = 1};
+        struct snap_run *run[2];
+        for (int light = 0; light < 2; light++) {
+            run[light] = snap_open(paths[p], light, &options);
+            assert_true(vm_operator_read(run[light]->rig.person, act, COUNT(act)));
+            vm_machine_run(run[light]->rig.machine, end);
+        }
+        for (int s = 0; s < INP_SCREENS; s++) {
+            const struct inp_pen_port *dark = &run[0]->rig.machine->devices.port[s];
+            const struct inp_pen_port *lit = &run[1]->rig.machine->devices.port[s];
+            assert_int_equal(dark->firings > 0, s == (int)p); /* lander: vector, heads: raster */
+            assert_memory_equal(dark, lit, sizeof *dark);
+            assert_memory_equal(&run[0]->rig.machine->devices.pen[s].sight,
+                                &run[1]->rig.machine->devices.pen[s].sight,
+                                sizeof run[0]->rig.machine->devices.pen[s].sight);
+        }
+        snap_close(run[0]);
+        snap_close(run[1]);
+    }
+}
+
 /* ---- live, and taken back ----------------------------------------------------------------------- */
 
 static void live_acts_are_as_those_of_a_script(void **state)
@@ -297,11 +334,84 @@ static void a_knob_turns_the_tubes_and_the_pens(void **state)
     snap_close(r);
 }
 
+/* A knob turned after a snapshot leaves the others as they were at the snapshot: not as at power-on, not as
+ * they were turned later. */
+static void knobs_are_what_they_were_at_the_snapshot(void **state)
+{
+    (void)state;
+    struct inp_act act[3];
+    static const uint8_t code[] = {INP_CONTRAST, INP_FOCUS, INP_BRIGHTNESS};
+    static const int32_t value[] = {1500, 2000, 250};
+    for (int i = 0; i < 3; i++)
+        act[i] = (struct inp_act){.t = (uint64_t)(1 + 2 * i) * MS,
+                                  .device = INP_KNOB,
+                                  .verb = INP_TURN,
+                                  .code = code[i],
+                                  .x = value[i]};
+    struct snap_run *a = open_with("roms/spin.df", act, COUNT(act));
+    struct snap_run *b = open_with("roms/spin.df", act, COUNT(act));
+    vm_machine_run(a->rig.machine, 2 * MS);
+    struct crt_state saved = snap_save(a);
+    vm_machine_run(a->rig.machine, 6 * MS);
+    vm_machine_run(b->rig.machine, 6 * MS); /* and is taken back */
+    for (int n = 0; n < 2; n++) {
+        struct snap_run *c = n == 0 ? b : open_with("roms/spin.df", act, COUNT(act));
+        snap_must_load(c, &saved);
+        vm_machine_run(c->rig.machine, 4 * MS);
+        struct crt_knobs knobs = crt_tube_knobs(c->rig.tube[VM_VECTOR]);
+        assert_true(knobs.contrast == 1.5 && knobs.focus == 2 && knobs.brightness == 0);
+        vm_machine_run(c->rig.machine, 6 * MS);
+        snap_same(a, c);
+        if (n)
+            snap_close(c);
+    }
+    crt_state_free(&saved);
+    snap_close(b);
+    snap_close(a);
+}
+
+static bool at_the_act(void *ctx, struct rv_cpu *cpu)
+{
+    struct vm_machine *m = ctx;
+    return m->done.script > 0 && cpu->cycle > 0;
+}
+
+/* A debugger stops the firmware right after an act, at its very time: going on, also from a snapshot or with
+ * another act at that time, does it no second time. */
+static void an_act_is_done_once(void **state)
+{
+    (void)state;
+    for (int n = 0; n < 3; n++) {
+        const struct inp_act act = {
+            .t = 20 * MS, .device = INP_MOUSE, .verb = INP_MOVE, .x = 10000, .y = 0};
+        struct snap_run *a = open_with("roms/monitor.elf", &act, 1);
+        struct vm_machine *m = a->rig.machine;
+        const struct rv_hooks hooks = {.ctx = m, .before = at_the_act};
+        assert_true(vm_machine_watch(m, 40 * MS, &hooks));
+        assert_int_equal(m->now, act.t);
+        if (n == 1) {
+            struct crt_state saved = snap_save(a);
+            snap_must_load(a, &saved);
+            crt_state_free(&saved);
+        } else if (n == 2) {
+            const struct inp_act press = {
+                .t = act.t, .device = INP_MOUSE, .verb = INP_PRESS, .code = 0};
+            assert_true(vm_operator_do(a->rig.person, &press));
+        }
+        assert_int_equal(m->done.script, 1);
+        vm_machine_run(m, 200 * MS);
+        assert_int_equal(m->done.script, 1);
+        assert_int_equal(m->done.live, n == 2);
+        snap_close(a);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(acts_come_at_their_times_in_order),
         cmocka_unit_test(cutting_the_run_changes_nothing),
+        cmocka_unit_test(devices_do_not_depend_on_tubes),
         cmocka_unit_test(live_acts_are_as_those_of_a_script),
         cmocka_unit_test(a_new_act_makes_later_ones_forgotten),
         cmocka_unit_test(runs_with_devices_go_on_from_any_instant),
@@ -309,6 +419,8 @@ int main(void)
         cmocka_unit_test(a_vector_stops_under_the_pen_and_goes_on),
         cmocka_unit_test(without_a_pen_nothing_stops),
         cmocka_unit_test(a_knob_turns_the_tubes_and_the_pens),
+        cmocka_unit_test(knobs_are_what_they_were_at_the_snapshot),
+        cmocka_unit_test(an_act_is_done_once),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
