@@ -27,6 +27,8 @@ ROM_LDFLAGS := -nostartfiles -T $(ROM_O)/link.ld -Wl,--gc-sections -Wl,--build-i
 ROM_PRINTF := -DPICOLIBC_INTEGER_PRINTF_SCANF
 ROM_PRINTF_tables := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 ROM_PRINTF_monitor := -DPICOLIBC_DOUBLE_PRINTF_SCANF
+ROM_PRINTF_spline := -DPICOLIBC_DOUBLE_PRINTF_SCANF
+ROM_PRINTF_digitise := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 ROM_PRINTF_check_light := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 ROM_PRINTF_check_curves := -DPICOLIBC_DOUBLE_PRINTF_SCANF
 
@@ -67,7 +69,7 @@ $(ROM_O)/link.ld: roms/bsp/link.ld emu/memmap.h roms/roms.mk
 	$(ROM_CROSS)gcc -E -P -x c -I. -o $@ $<
 
 # Pixels and places are worth the room that fast code takes.
-$(foreach d,raster pageflip visible light clip geometry curves solids stage interact scenery lessons,$(ROM_O)/$(d)/%.o): ROM_CFLAGS += -O2
+$(foreach d,raster pageflip visible light clip geometry curves solids stage interact scenery lessons spline digitise choice,$(ROM_O)/$(d)/%.o): ROM_CFLAGS += -O2
 
 # Archive members without time or owner (D).
 $(ROM_O)/libbsp.a: $(ROM_BSP:roms/%.c=$(ROM_O)/%.o)
