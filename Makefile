@@ -168,6 +168,12 @@ pictures: all
 	./kinescope capture --type 'lesson flight\n' --at 9s --view both --size 1200x600 -o roms/pictures/flight.png
 	./kinescope capture --type 'lesson map\n' --at 2s --view raster --size 800x600 -o roms/pictures/map.png
 	./kinescope capture --type 'lesson art\n' --at 2s --view vector --size 640x640 -o roms/pictures/art.png
+	./kinescope capture roms/sketch.elf --input roms/sketch.script --view raster --size 800x600 -o roms/pictures/sketch.png
+	./kinescope capture roms/spline.elf --input roms/spline.script --view raster --size 800x600 -o roms/pictures/spline.png
+	./kinescope capture roms/pick.elf --input roms/pick.script --at 10.75s --view raster --size 800x600 -o roms/pictures/pick.png
+	./kinescope capture roms/digitise.elf --input roms/digitise.script --at 11s --view raster --size 800x600 -o roms/pictures/digitise.png
+	./kinescope capture roms/track.elf --input roms/track.script --at 7.5s --view vector --size 640x640 -o roms/pictures/track.png
+	./kinescope capture roms/calibrate.elf --input roms/calibrate.script --when mark:100 --size 800x600 -o roms/pictures/calibrate.png
 
 # Every lesson on both heads, into o/lessons/.
 lesson-pictures: all

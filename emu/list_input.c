@@ -64,6 +64,6 @@ bool vm_list_input(const char *name, bool why, struct crt_error *err)
             print_device(&setup, devices[i], why || name);
     if (!name)
         puts("Connected are a pen, an electrical tablet, an optical panel over the raster head, a "
-             "mechanical mouse\nand a keyboard, unless --set KEY=VALUE says otherwise.");
+             "mechanical mouse\nand a keyboard, unless --set KEY=VALUE says otherwise;\n--why tells ranges and sources.");
     return true;
 }

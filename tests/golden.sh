@@ -38,11 +38,9 @@ while IFS='|' read -r name program tube at head <&3; do
     at=$(echo "$at" | tr -d ' ')
     head=$(echo "$head" | tr -d ' ')
     case "$name" in '' | '#'*) continue ;; esac
-    if [ "$head" = input ]; then # at the end of the script, both heads
-        set -- --input "${program%.*}.script" --view both
-    else
-        set -- --at "$at"
-    fi
+    set -- --at "$at"
+    [ "$at" = end ] && set -- # when the script is over, and the program has answered it
+    [ "$head" = input ] && set -- "$@" --input "${program%.*}.script" --view both
     to=$out
     [ $regenerate = yes ] && to=$golden
     if ! "$kinescope" capture "$program" --tube "$tube" "$@" --film --depth 8 --hash -o "$to/$name.png" >"$to/$name.hash"; then
