@@ -228,6 +228,49 @@ static void reports_interrupt_at_their_times(void **state)
     close_rig(r);
 }
 
+/* ---- floods ------------------------------------------------------------------------------------- */
+
+/* A hundred thousand acts in a tenth of a second, and nobody takes anything: what is missing is said to be. */
+static void a_flood_is_counted_or_flagged(void **state)
+{
+    (void)state;
+    enum { ACTS = 100000 };
+    struct rig *r = open_rig(NULL);
+    uint32_t keys = 0;
+    put(r, INPUT_KEY_CONTROL, KEY_STORE, 0);
+    put(r, INPUT_TABLET_CONTROL, TABLET_ON, 0);
+    put(r, INPUT_TOUCH_CONTROL, TOUCH_ON, 0);
+    for (uint64_t i = 0; i < ACTS; i++) {
+        uint64_t t = MS + i * CRT_PS_PER_US;
+        struct inp_act act = {.t = t, .device = (uint8_t)(i % 5), .verb = INP_MOVE};
+        act.screen = act.device == INP_TOUCH ? INP_RASTER : INP_VECTOR;
+        act.x = (int32_t)(inp_noise_bits(5, i) % 90000);
+        act.y = (int32_t)(inp_noise_bits(6, i) % 90000);
+        if (act.device == INP_MOUSE)
+            act = (struct inp_act){.t = t, .device = INP_MOUSE, .x = 25}; /* a tenth of a count */
+        if (act.device == INP_KEYBOARD) {
+            act = (struct inp_act){.t = t, .device = INP_KEYBOARD, .code = 'A', .character = 'a'};
+            act.verb = i % 10 < 5 ? INP_PRESS : INP_RELEASE;
+            keys++;
+        }
+        run_to(r, t);
+        inp_unit_act(&r->unit, &act);
+    }
+    uint64_t end = MS + ACTS * CRT_PS_PER_US;
+    run_to(r, end);
+    assert_int_equal(get(r, INPUT_KEY_WAITING, end), KEY_EVENTS_MOST);
+    assert_int_equal(get(r, INPUT_KEY_MISSED, end), keys - KEY_EVENTS_MOST);
+    assert_int_equal(get(r, INPUT_KEY_STATUS, end), KEY_READY | KEY_LOST);
+    /* 20000 moves of 25 um are 2000 counts in 0.1 s, five times as many as the counters follow. */
+    uint32_t counts = get(r, INPUT_MOUSE_X, end);
+    assert_in_range(counts, 300, 700);
+    assert_int_equal(get(r, INPUT_MOUSE_STATUS, end), MOUSE_MOVED | MOUSE_OVERRUN);
+    assert_int_equal(get(r, INPUT_TABLET_STATUS, end), TABLET_REPORT | TABLET_LOST);
+    assert_int_equal(get(r, INPUT_TABLET_SERIAL, end), 1); /* the first stays */
+    assert_true(get(r, INPUT_TOUCH_STATUS, end) & TOUCH_LOST);
+    close_rig(r);
+}
+
 /* ---- pens --------------------------------------------------------------------------------------- */
 
 static void one_pen_is_at_one_screen(void **state)
@@ -471,6 +514,7 @@ int main(void)
         cmocka_unit_test(acts_for_absent_devices_do_nothing),
         cmocka_unit_test(the_line_follows_what_is_enabled_and_taken),
         cmocka_unit_test(reports_interrupt_at_their_times),
+        cmocka_unit_test(a_flood_is_counted_or_flagged),
         cmocka_unit_test(one_pen_is_at_one_screen),
         cmocka_unit_test(the_raster_pen_latches_where_the_beam_is),
         cmocka_unit_test(a_hand_goes_straight_and_rests),
