@@ -1,5 +1,7 @@
 #include "emu/hand.h"
 
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 static const struct {
@@ -38,4 +40,40 @@ bool vm_hand_present(enum vm_hand hand, const struct inp_setup *setup)
     default:
         return false;
     }
+}
+
+/* ---- the tablet --------------------------------------------------------------------------------- */
+
+/* Four numbers for each head, the raster head's first. */
+static bool read_picture(const char *text, enum vm_head head, double v[4])
+{
+    double w[8];
+    if (sscanf(text, "%lf %lf %lf %lf %lf %lf %lf %lf", &w[0], &w[1], &w[2], &w[3], &w[4], &w[5],
+               &w[6], &w[7]) != 8)
+        return false;
+    memcpy(v, head == VM_RASTER ? w : w + 4, 4 * sizeof *v);
+    for (int i = 0; i < 4; i++)
+        if (!(fabs(v[i]) <= 4096))
+            return false;
+    return v[2] >= 1 && v[3] >= 1;
+}
+
+struct vm_hand_picture vm_hand_picture(const char *text, enum vm_head head, double width,
+                                       double height)
+{
+    double v[4], unit = width / 1024;
+    if (!read_picture(text, head, v))
+        return (struct vm_hand_picture){0, 0, width, height};
+    return (struct vm_hand_picture){(v[0] + v[2] / 2) * unit - width / 2,
+                                    (v[1] + v[3] / 2) * unit - height / 2, v[2] * unit,
+                                    v[3] * unit};
+}
+
+void vm_hand_on_tablet(const struct vm_hand_picture *picture, const struct inp_tablet_setup *tablet,
+                       double *x, double *y)
+{
+    double w = tablet->width.value, h = tablet->height.value;
+    double scale = fmin(w / picture->width, h / picture->height);
+    *x = fmin(fmax(w / 2 + (*x - picture->x) * scale, 0), w);
+    *y = fmin(fmax(h / 2 + (*y - picture->y) * scale, 0), h);
 }

@@ -188,6 +188,7 @@ static bool load_firmware(struct vm_input *in, const char *path, struct crt_erro
     if (in->has_firmware)
         take_text(&in->elf, "kinescope_tube", in->tube, sizeof in->tube);
     take_text(&in->elf, "kinescope_hand", in->hand, sizeof in->hand);
+    take_text(&in->elf, "kinescope_tablet", in->tablet, sizeof in->tablet);
     return in->has_firmware;
 }
 

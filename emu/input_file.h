@@ -43,6 +43,7 @@ struct vm_input {
     struct inp_script script; /* what a person does; count 0: nothing */
     char tube[48];            /* that firmware names; "": none */
     char hand[16];            /* that firmware is made for (emu/hand.h); "": it does not say */
+    char tablet[80];          /* what firmware says a tablet stands for (emu/hand.h) */
     struct crt_beam_header header;
     struct crt_stroke *strokes;
     size_t count;

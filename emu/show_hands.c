@@ -97,18 +97,20 @@ static void move_pen(struct vm_show *show, const struct spot *spot)
     vm_show_do(show, act);
 }
 
-/* The screen's addressable area lies in the middle of the tablet, as large as fits. */
+/* Where the program takes the place on the screen to be (emu/hand.h). */
 static void move_stylus(struct vm_show *show, const struct spot *spot)
 {
     const struct inp_tablet_setup *tablet = &show->program->settings.setup.tablet;
     struct inp_act act = {.device = INP_TABLET, .verb = INP_AWAY};
     if (spot->on) {
         const struct crt_tube_row *row = &show->program->settings.monitor[spot->head].row;
-        double scale =
-            fmin(tablet->width.value / row->width.value, tablet->height.value / row->height.value);
+        struct vm_hand_picture picture = vm_hand_picture(show->program->input.tablet, spot->head,
+                                                         row->width.value, row->height.value);
+        double x = spot->x_mm, y = spot->y_mm;
+        vm_hand_on_tablet(&picture, tablet, &x, &y);
         act.verb = INP_MOVE;
-        act.x = um(tablet->width.value / 2 + spot->x_mm * scale);
-        act.y = um(tablet->height.value / 2 + spot->y_mm * scale);
+        act.x = um(x);
+        act.y = um(y);
         act.z = show->pressed & 1 ? 0 : STYLUS_NEAR_UM;
     }
     if (!spot->on && !show->hand_there)

@@ -12,6 +12,10 @@
 #define BELIEVED_MS  150
 #define VECTOR_UNITS 1024.0f
 
+/* For the host's mouse (emu/hand.h): the stage at 640 x 480, 1.6 units a dot; on the vector head. */
+extern const char kinescope_tablet[];
+const char kinescope_tablet[] = "26 84 970 646  0 171 1024 683";
+
 static struct point2 in_picture(float x, float y)
 {
     return (struct point2){scalar_clamp(x, 0, STAGE_WIDTH), scalar_clamp(y, 0, STAGE_HEIGHT)};

@@ -5,6 +5,7 @@
 #include "tests/roms/stage_rig.h"
 #undef video_set_colour
 
+#include "emu/hand.h"
 #include "emu/memmap.h"
 
 enum { MS = 10000 /* ticks of the timer in a millisecond */ };
@@ -263,6 +264,57 @@ static void a_tablet_is_the_picture(void **state)
         assert_near(p.at.y, 800 * fmin(fmax(fy, 0), 1), 1.3);
         assert_true(p.near && !p.pressed && p.device == POINTER_TABLET);
     }
+}
+
+/* The window's mouse as a stylus (emu/hand.h): where the mouse is on a screen of either head is where the
+ * cursor is drawn. A dot is half a unit. */
+static void a_mouse_as_a_stylus_is_where_the_cursor_is(void **state)
+{
+    static const double size[][2] = {{280, 280}, {280, 150}, {1000, 300}, {150, 400}};
+    (void)state;
+    for (int k = 0; k < 2000; k++) {
+        open_all();
+        struct inp_tablet_setup tablet_setup = {0};
+        double w = tablet_setup.width.value = size[k % 4][0];
+        double h = tablet_setup.height.value = size[k % 4][1];
+        enum vm_head head = k & 4 ? VM_RASTER : VM_VECTOR;
+        double x = 1200 * (double)random_between(0, 1), y = 800 * (double)random_between(0, 1);
+        double wide = head == VM_RASTER ? 320 : 235, high = head == VM_RASTER ? 240 : 235;
+        double sx = wide * ((double)stage_head_x(&stage, (float)x) / 1024 - 0.5);
+        double sy = high * ((double)stage_head_y(&stage, (float)y) / 1024 - 0.5);
+        if (head == VM_RASTER) {
+            sx = wide * (((double)stage_canvas_x(&stage, (float)x) + 0.5) / 640 - 0.5);
+            sy = high * (0.5 - ((double)stage_canvas_y(&stage, (float)y) + 0.5) / 480);
+        }
+        struct vm_hand_picture part = vm_hand_picture(kinescope_tablet, head, wide, high);
+        vm_hand_on_tablet(&part, &tablet_setup, &sx, &sy);
+        p.tablet.width = (uint32_t)(w * 10);
+        p.tablet.height = (uint32_t)(h * 10);
+        tablet((int)floor(sx * 10 + 0.5), (int)floor(sy * 10 + 0.5), TABLET_NEAR, 0);
+        assert_true(pointer_poll(&p));
+        assert_near(p.at.x, x, 2);
+        assert_near(p.at.y, y, 2);
+    }
+}
+
+/* Firmware that says nothing, or nonsense: the whole screen, never beyond the tablet's rim. */
+static void a_tablet_is_the_screen_unless_told(void **state)
+{
+    static const char *const text[] = {"", "1 2 3", "0 0 0 0 0 0 0 0", "0 0 nan 5 0 0 nan 5",
+                                       "0 0 1e300 1 0 0 1e300 1"};
+    struct inp_tablet_setup setup = {0};
+    (void)state;
+    setup.width.value = setup.height.value = 280;
+    for (unsigned i = 0; i < sizeof text / sizeof *text; i++)
+        for (int head = 0; head < VM_HEADS; head++) {
+            double x = 80, y = -60, far_x = -900, far_y = 900;
+            struct vm_hand_picture part = vm_hand_picture(text[i], (enum vm_head)head, 320, 240);
+            vm_hand_on_tablet(&part, &setup, &x, &y);
+            vm_hand_on_tablet(&part, &setup, &far_x, &far_y);
+            assert_near((float)x, 210, 1e-3);
+            assert_near((float)y, 140 - 60 * 0.875, 1e-3);
+            assert_true(far_x == 0 && far_y == 280);
+        }
 }
 
 static void a_stylus_is_near_then_pressed_then_far(void **state)
@@ -878,6 +930,8 @@ int main(void)
     (void)decode, (void)visible_part, (void)drawn_is; /* of the rig, not needed here */
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_tablet_is_the_picture),
+        cmocka_unit_test(a_mouse_as_a_stylus_is_where_the_cursor_is),
+        cmocka_unit_test(a_tablet_is_the_screen_unless_told),
         cmocka_unit_test(a_stylus_is_near_then_pressed_then_far),
         cmocka_unit_test(a_finger_is_where_the_picture_is),
         cmocka_unit_test(a_finger_on_the_vector_head),

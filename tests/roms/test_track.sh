@@ -74,5 +74,10 @@ for case in 30:500:900 40:650:1200 60:1100:1800; do
     grep -q '^track lost' "$work/said"
     report $? "$hz refreshes a second: $fast mm/s is too fast"
 done
+# In the window the mouse begins as what the firmware names: its text is there, however short it is.
+for name in track pick calibrate; do
+    grep -q kinescope_hand "roms/$name.elf"
+    report $? "$name.elf says what the mouse stands for"
+done
 echo "1..$number"
 exit $failed
