@@ -25,6 +25,8 @@
 extern const char kinescope_tube[];
 const char kinescope_tube[] = "VR17/P31";
 
+enum { PAUSE = TIMER_HZ / 20 }; /* of whoever types; pasted text has none */
+
 struct program {
     struct stage stage;
     struct pointer pointer;
@@ -32,7 +34,9 @@ struct program {
     struct menu_kept menu;
     struct typed typed;
     struct points_reader reader;
-    bool loading;
+    bool loading, returned; /* the byte before was '\r' */
+    bool refused;           /* what comes without a pause belongs to text that was not taken */
+    uint64_t refused_at;    /* its last byte */
     unsigned buttons;
 };
 
@@ -42,10 +46,15 @@ static void put(void *ctx, const char *line)
     console_write(line);
 }
 
-/* What was read becomes the model, or nothing changes. */
-static void load(struct program *p, char c)
+/* What was read becomes the model, or nothing changes. "\r\n" ends one line. */
+static void load(struct program *p, int c)
 {
-    enum points_state state = c == CONSOLE_EOF ? POINTS_WRONG : points_read(&p->reader, c);
+    bool returned = p->returned;
+    p->returned = c == '\r';
+    if (c == '\n' && returned)
+        return;
+    enum points_state state =
+        c == CONSOLE_EOF ? POINTS_WRONG : points_read(&p->reader, c == '\r' ? '\n' : (char)c);
     if (state == POINTS_MORE)
         return;
     p->loading = false;
@@ -57,7 +66,22 @@ static void load(struct program *p, char c)
         printf("not loaded: line %d: %s\n", p->reader.number,
                p->reader.trouble ? p->reader.trouble : "the text has no end");
         p->editor.message = "The text was not taken: the console says why.";
+        p->refused = true;
+        p->refused_at = timer_now();
     }
+}
+
+/* The rest of a text that was pasted is no keys: 'e' would erase, and 'q' end. */
+static bool belongs_to_refused(struct program *p, int c)
+{
+    if (!p->refused)
+        return false;
+    uint64_t now = timer_now();
+    if (c >= 0)
+        p->refused_at = now;
+    else
+        p->refused = now - p->refused_at < PAUSE;
+    return c >= 0;
 }
 
 static void console(struct program *p)
@@ -69,6 +93,7 @@ static void console(struct program *p)
     } else if (wanted == CONSOLE_LOAD) {
         points_read_begin(&p->reader);
         p->loading = true;
+        p->returned = false;
         stage_prompt(&p->stage, "Type or paste points: from \"spline 1\" to \"end\".");
     } else if (wanted == CONSOLE_QUIT) {
         console_drain();
@@ -76,18 +101,26 @@ static void console(struct program *p)
     }
 }
 
+static void obey(struct program *p, int c)
+{
+    int key = typed_key(&p->typed, c);
+    if (key)
+        editor_key(&p->editor, key);
+    console(p);
+}
+
 static bool typed(struct program *p)
 {
     bool changed = false;
-    for (int c; (c = console_poll()) >= 0;) {
-        int key = p->loading ? 0 : typed_key(&p->typed, c);
+    int c;
+    while ((c = console_poll()) >= 0) {
         changed = true;
         if (p->loading)
-            load(p, c == '\r' ? '\n' : (char)c);
-        else if (key)
-            editor_key(&p->editor, key);
-        console(p);
+            load(p, c);
+        else if (!belongs_to_refused(p, c))
+            obey(p, c);
     }
+    belongs_to_refused(p, c);
     return changed;
 }
 
