@@ -154,7 +154,11 @@ static bool take_keys(struct session *s)
         if (!key.up && !modifier && (!key.repeat || repeats(chosen)))
             choose(s, chosen);
     }
-    return any;
+    if (!key_lost())
+        return any;
+    s->shift = false; /* it may have been let go */
+    tools_say(&s->tools, "Keys came faster than they could be taken: some are lost.");
+    return true;
 }
 
 static bool take_console(struct session *s)
