@@ -17,8 +17,8 @@
 #include "roms/bsp/console.h"
 #include "roms/bsp/timer.h"
 #include "roms/interact/pointer.h"
+#include "roms/interact/typed.h"
 #include "roms/spline/points_text.h"
-#include "roms/spline/typed.h"
 #include "roms/spline/view.h"
 
 /* The vector head's tube, unless another is asked for: P39 glows on for long. */
@@ -101,11 +101,27 @@ static void console(struct program *p)
     }
 }
 
+static int editor_key_of(const struct key_event *key)
+{
+    switch (key->code) {
+    case KEYCODE_UP:
+        return EDITOR_UP;
+    case KEYCODE_DOWN:
+        return EDITOR_DOWN;
+    case KEYCODE_LEFT:
+        return EDITOR_LEFT;
+    case KEYCODE_RIGHT:
+        return EDITOR_RIGHT;
+    default:
+        return key->character;
+    }
+}
+
 static void obey(struct program *p, int c)
 {
-    int key = typed_key(&p->typed, c);
-    if (key)
-        editor_key(&p->editor, key);
+    struct key_event key;
+    if (typed_take(&p->typed, (uint8_t)c, timer_now(), &key) && editor_key_of(&key) != 0)
+        editor_key(&p->editor, editor_key_of(&key));
     console(p);
 }
 
