@@ -263,14 +263,22 @@ static bool waits_for_next(const struct pointer *p)
            !(p->pressed && p->device == r->device);
 }
 
+static bool take_next(struct pointer *p)
+{
+    uint32_t state = irq_lock();
+    bool taken = p->put != p->taken && !waits_for_next(p) && take_oldest(p);
+    irq_unlock(state);
+    return taken;
+}
+
+/* Between reports interrupts come in: a pen fires in each row. What comes while a queue of them is taken is
+ * the next poll's, so that polls end. */
 bool pointer_poll(struct pointer *p)
 {
     begin(p);
     bool changed = p->lost;
-    uint32_t state = irq_lock();
-    while (p->put != p->taken && !waits_for_next(p) && take_oldest(p))
+    for (int i = 0; i < POINTER_QUEUE && take_next(p); i++)
         changed = true;
-    irq_unlock(state);
     return pen_gone(p) || changed || p->released_now;
 }
 
