@@ -7,7 +7,7 @@
 #include "roms/bsp/timer.h"
 #include "roms/geometry/scalar.h"
 
-enum { PATIENCE = TIMER_HZ / 500, QUIET = TIMER_HZ / 1000 };
+enum { PATIENCE = TIMER_HZ / 500, QUIET = TIMER_HZ / 1000, ROUND = TIMER_HZ / 4 };
 
 /* ---- saving and loading ---------------------------------------------------------------------- */
 
@@ -89,16 +89,18 @@ static void take_byte(struct session *s, int byte)
         s->line[s->length++] = byte == '\0' ? '?' : (char)byte;
 }
 
-/* All that comes without a pause: nothing is drawn meanwhile. */
+/* What comes without a pause: nothing is drawn meanwhile. Of text without an end not all: somebody may
+ * press Escape. */
 static void load(struct session *s)
 {
-    uint64_t last = timer_now();
-    while (s->loading && timer_now() - last < QUIET) {
+    uint64_t begin = timer_now(), last = begin;
+    for (uint64_t now = begin; s->loading && now - last < QUIET && now - begin < ROUND;
+         now = timer_now()) {
         int byte = console_poll();
         if (byte < 0)
             continue;
         take_byte(s, byte);
-        last = timer_now();
+        last = now;
     }
 }
 
