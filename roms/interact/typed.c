@@ -34,3 +34,21 @@ bool typed_take(struct typed *t, uint8_t byte, uint64_t now, struct key_event *k
     }
     return false;
 }
+
+/* ---- refused text ---------------------------------------------------------------------------- */
+
+void typed_rest_begin(struct typed_rest *rest, uint64_t now)
+{
+    *rest = (struct typed_rest){true, now};
+}
+
+bool typed_rest_takes(struct typed_rest *rest, int byte, uint64_t now)
+{
+    if (!rest->comes)
+        return false;
+    if (byte >= 0)
+        rest->last = now;
+    else
+        rest->comes = now - rest->last < TYPED_REST;
+    return byte >= 0;
+}

@@ -59,6 +59,7 @@ static void end_load(struct session *s)
 static void leave_off_load(struct session *s, const char *why)
 {
     s->loading = false;
+    typed_rest_begin(&s->rest, timer_now());
     tools_say(&s->tools, why);
     console_write("load: ");
     console_write(why);
@@ -170,6 +171,8 @@ static bool take_console(struct session *s)
         return !s->loading;
     }
     int byte = console_poll();
+    if (typed_rest_takes(&s->rest, byte, timer_now()))
+        return false;
     return byte >= 0 && choose(s, menu_letter((unsigned)byte));
 }
 

@@ -25,8 +25,6 @@
 extern const char kinescope_tube[];
 const char kinescope_tube[] = "VR17/P31";
 
-enum { PAUSE = TIMER_HZ / 20 }; /* of whoever types; pasted text has none */
-
 struct program {
     struct stage stage;
     struct pointer pointer;
@@ -35,8 +33,7 @@ struct program {
     struct typed typed;
     struct points_reader reader;
     bool loading, returned; /* the byte before was '\r' */
-    bool refused;           /* what comes without a pause belongs to text that was not taken */
-    uint64_t refused_at;    /* its last byte */
+    struct typed_rest rest;
     unsigned buttons;
 };
 
@@ -66,22 +63,8 @@ static void load(struct program *p, int c)
         printf("not loaded: line %d: %s\n", p->reader.number,
                p->reader.trouble ? p->reader.trouble : "the text has no end");
         p->editor.message = "The text was not taken: the console says why.";
-        p->refused = true;
-        p->refused_at = timer_now();
+        typed_rest_begin(&p->rest, timer_now()); /* 'e' would erase, and 'q' end */
     }
-}
-
-/* The rest of a text that was pasted is no keys: 'e' would erase, and 'q' end. */
-static bool belongs_to_refused(struct program *p, int c)
-{
-    if (!p->refused)
-        return false;
-    uint64_t now = timer_now();
-    if (c >= 0)
-        p->refused_at = now;
-    else
-        p->refused = now - p->refused_at < PAUSE;
-    return c >= 0;
 }
 
 static void console(struct program *p)
@@ -133,10 +116,10 @@ static bool typed(struct program *p)
         changed = true;
         if (p->loading)
             load(p, c);
-        else if (!belongs_to_refused(p, c))
+        else if (!typed_rest_takes(&p->rest, c, timer_now()))
             obey(p, c);
     }
-    belongs_to_refused(p, c);
+    typed_rest_takes(&p->rest, c, timer_now());
     return changed;
 }
 

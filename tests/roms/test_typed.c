@@ -62,12 +62,33 @@ static void enter_and_tab_have_codes(void **state)
     assert_false(key.up || key.repeat);
 }
 
+static void the_rest_of_refused_text_is_no_keys(void **state)
+{
+    (void)state;
+    struct typed_rest rest = {0};
+    assert_false(typed_rest_takes(&rest, 'a', now));
+    typed_rest_begin(&rest, now);
+    for (int i = 0; i < 1000; i++) {
+        now += TYPED_REST / 3;
+        assert_false(typed_rest_takes(&rest, -1, now));
+        now += TYPED_REST / 3;
+        assert_true(typed_rest_takes(&rest, 'q', now));
+    }
+    /* A byte that waited while nobody polled is of it, too. */
+    now += 5 * TYPED_REST;
+    assert_true(typed_rest_takes(&rest, 'q', now));
+    now += TYPED_REST + 1;
+    assert_false(typed_rest_takes(&rest, -1, now));
+    assert_false(typed_rest_takes(&rest, 'q', now));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(arrows_come_as_sequences),
         cmocka_unit_test(escape_by_itself_takes_no_key_with_it),
         cmocka_unit_test(enter_and_tab_have_codes),
+        cmocka_unit_test(the_rest_of_refused_text_is_no_keys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
