@@ -43,8 +43,16 @@ bad=$(
     lib visible 'geometry|clip|raster|solids'
     lib light 'geometry|clip|raster|solids|visible'
     grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/' roms/bsp/*.[chS] | grep -vE '"roms/(bsp|raster)/' || true
-    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/(monitor|commands|lessons|scenery|interact)/' roms/stage/*.[ch] || true
-    grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/(monitor|commands|lessons|scenery)/' roms/interact/*.[ch] || true
+    # What draws and what points use no program, and each program no other: only these of roms.
+    only() { # FOLDER 'regex of folders it may include from'
+        grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/' roms/"$1"/*.[ch] 2>/dev/null |
+            grep -vE "\"roms/($1|$2)/" || true
+    }
+    only stage 'bsp|light|visible|solids|curves|raster|clip|geometry'
+    only interact 'bsp|stage|geometry'
+    for program in bench bounce calibrate choice clock digitise heads pageflip pattern pick rt11 sketch spline tables track; do
+        only $program 'bsp|interact|stage|light|visible|solids|curves|raster|clip|geometry'
+    done
     grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/(monitor|commands|lessons)/' roms/scenery/*.[ch] || true
     grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"roms/commands/' roms/monitor/*.[ch] || true
     grep -nE '#[[:space:]]*include[[:space:]]+<stdio.h>' roms/geometry/*.[ch] roms/clip/*.[ch] roms/curves/*.[ch] \

@@ -80,7 +80,5 @@ void picture_pen(const struct calibration *c, float dot, float line, bool presse
 void report_begin(const struct calibration *c);
 void report_offset(const struct calibration *c);
 void report_checks(const struct calibration *c);
-/* A number with one decimal, at least so wide; a sign if asked. */
-void report_tenths(char *text, size_t size, float value, int width, bool sign);
 
 #endif

@@ -40,46 +40,44 @@ static bool open_head(struct calibration *c)
 
 /* ---- firings ----------------------------------------------------------------------------------------- */
 
-static struct pen_rows coming;
-
 /* One firing a row: none may wait for the next one. */
 static void fired(void *ctx)
 {
+    struct pen_rows *coming = ctx;
     struct pen_hit hit;
-    (void)ctx;
     pen_tip_moved(INPUT_RASTER);
     while (pen_hit_take(&hit))
-        if (!pen_rows_add(&coming, &hit)) {
-            coming.count = 0;
-            pen_rows_add(&coming, &hit);
+        if (!pen_rows_add(coming, &hit)) {
+            coming->count = 0;
+            pen_rows_add(coming, &hit);
         }
 }
 
 /* In retrace: those of the field that has just ended. */
-static struct pen_rows field(void)
+static struct pen_rows field(struct pen_rows *coming)
 {
     video_wait_retrace();
     uint32_t state = irq_lock();
-    struct pen_rows rows = coming;
-    coming.count = 0;
+    struct pen_rows rows = *coming;
+    coming->count = 0;
     irq_unlock(state);
     return rows;
 }
 
-static void wait_for_release(void)
+static void wait_for_release(struct pen_rows *coming)
 {
     while (pen_tip(INPUT_RASTER))
-        field();
+        field(coming);
 }
 
-static void measure(struct calibration *c, int number)
+static void measure(struct calibration *c, struct pen_rows *coming, int number)
 {
     struct firings firings = {0};
     struct place *place = &c->place[number];
     int drawn = -1;
     picture_target(c, number);
     for (bool done = false; !done;) {
-        struct pen_rows rows = field();
+        struct pen_rows rows = field(coming);
         done = measure_field(c, &firings, place, pen_tip(INPUT_RASTER), &rows);
         int now = done ? HITS : firings.count;
         if (now != drawn)
@@ -88,11 +86,11 @@ static void measure(struct calibration *c, int number)
     }
     measure_left(c, place);
     board_mark((uint32_t)number + 1);
-    wait_for_release();
+    wait_for_release(coming);
 }
 
 /* The pen draws, corrected, over the results. */
-static void play(const struct calibration *c)
+static void play(const struct calibration *c, struct pen_rows *coming)
 {
     pen_raster_on(false);
     for (;;) {
@@ -100,7 +98,7 @@ static void play(const struct calibration *c)
         float line, dot;
         if (key == 'q' || key == CONSOLE_EOF)
             return;
-        struct pen_rows rows = field();
+        struct pen_rows rows = field(coming);
         if (pen_rows_middle(&rows, &line, &dot, NULL))
             picture_pen(c, dot, line, pen_tip(INPUT_RASTER));
     }
@@ -109,6 +107,7 @@ static void play(const struct calibration *c)
 int main(void)
 {
     static struct calibration calibration;
+    static struct pen_rows coming;
     struct calibration *c = &calibration;
     if (!(input_present() & INPUT_BIT_PEN_RASTER) || !open_head(c)) {
         console_write("calibrate: this board has no light pen at a raster head.\n");
@@ -116,18 +115,18 @@ int main(void)
     }
     targets_place(c);
     report_begin(c);
-    input_on(INPUT_BIT_PEN_RASTER, fired, NULL);
+    input_on(INPUT_BIT_PEN_RASTER, fired, &coming);
     pen_raster_on(true);
     for (int i = 0; i < TARGETS; i++)
-        measure(c, i);
+        measure(c, &coming, i);
     measure_offset(c);
     report_offset(c);
     for (int i = TARGETS; i < PLACES; i++)
-        measure(c, i);
+        measure(c, &coming, i);
     report_checks(c);
     picture_results(c);
-    field(); /* on the screen */
+    field(&coming); /* on the screen */
     board_mark(DONE);
-    play(c);
+    play(c, &coming);
     return 0;
 }

@@ -82,7 +82,8 @@ static void find_pen(struct calibration *c)
     for (int i = 0; i < TARGETS; i++)
         rows += (float)c->place[i].rows / TARGETS;
     float um = rows * (float)video_height_um() / (float)c->timing.v_visible;
-    float radius = um / 2 * (float)c->timing.h_visible / (float)video_width_um(); /* dots */
+    float dots = video_width_um() > 0 ? (float)c->timing.h_visible / (float)video_width_um() : 0;
+    float radius = um / 2 * dots;
     c->sees_um = scalar_nearest(um);
     c->late_ns = scalar_nearest((c->dots + radius) * 1e9f / (float)c->timing.clock_hz);
 }

@@ -5,6 +5,7 @@
 #include "roms/geometry/scalar.h"
 #include "roms/raster/font.h"
 #include "roms/stage/ink.h"
+#include "roms/stage/tenths.h"
 
 enum { BARS = 3 /* height of a bar of progress, lines of a target's half */ };
 
@@ -180,9 +181,9 @@ void picture_results(struct calibration *c)
     struct canvas *page = hidden(c);
     canvas_clear(page, INK_BLACK);
     text(c, page, 0, INK_BRIGHT, "LIGHT PEN: HOW LATE IT IS");
-    report_tenths(dots, sizeof dots, c->dots, 0, true);
-    report_tenths(lines, sizeof lines, c->lines, 0, true);
-    report_tenths(sees, sizeof sees, (float)c->sees_um / 1000, 0, false);
+    tenths_text(dots, sizeof dots, c->dots, 0, true);
+    tenths_text(lines, sizeof lines, c->lines, 0, true);
+    tenths_text(sees, sizeof sees, (float)c->sees_um / 1000, 0, false);
     snprintf(words, sizeof words, "%s dots, %s lines: %d ns late, sees %s mm", dots, lines,
              c->late_ns, sees);
     text(c, page, 1, INK_TEXT, words);

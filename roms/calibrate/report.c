@@ -1,21 +1,9 @@
 /* report.c — the table on the console: of each place the firing, the error before and after. */
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "roms/calibrate/calibrate.h"
 #include "roms/geometry/scalar.h"
-
-void report_tenths(char *text, size_t size, float value, int width, bool sign)
-{
-    char number[24];
-    int tenths = scalar_nearest(value * 10);
-    snprintf(number, sizeof number, "%s%d.%d",
-             tenths < 0 ? "-"
-             : sign     ? "+"
-                        : "",
-             abs(tenths) / 10, abs(tenths) % 10);
-    snprintf(text, size, "%*s", width, number);
-}
+#include "roms/stage/tenths.h"
 
 void report_begin(const struct calibration *c)
 {
@@ -31,7 +19,7 @@ static void row(const char *kind, int number, const struct place *p)
     printf("%-6s %2d %5d %5d", kind, number, p->x, p->y);
     for (int i = 0; i < 7; i++) {
         char text[16];
-        report_tenths(text, sizeof text, values[i], widths[i], i > 2);
+        tenths_text(text, sizeof text, values[i], widths[i], i > 2);
         printf("%s", text);
     }
     printf(" %5d\n", p->rows);
@@ -46,8 +34,8 @@ static void worst(const struct calibration *c, const char *kind, int first, int 
         before = scalar_max(before, measure_length(p->dx, p->dy));
         after = scalar_max(after, measure_length(p->left_x, p->left_y));
     }
-    report_tenths(b, sizeof b, before, 0, false);
-    report_tenths(a, sizeof a, after, 0, false);
+    tenths_text(b, sizeof b, before, 0, false);
+    tenths_text(a, sizeof a, after, 0, false);
     printf("%s: worst error before %s, after %s pixels\n", kind, b, a);
 }
 
@@ -59,8 +47,8 @@ void report_offset(const struct calibration *c)
     for (int i = 0; i < TARGETS; i++)
         row("target", i + 1, &c->place[i]);
     worst(c, "targets", 0, TARGETS);
-    report_tenths(dots, sizeof dots, c->dots, 0, true);
-    report_tenths(lines, sizeof lines, c->lines, 0, true);
+    tenths_text(dots, sizeof dots, c->dots, 0, true);
+    tenths_text(lines, sizeof lines, c->lines, 0, true);
     printf("offset: %s dots, %s lines\n", dots, lines);
     printf("pen: sees %d um, fires %d ns late\n", c->sees_um, c->late_ns);
 }

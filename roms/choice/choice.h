@@ -24,6 +24,7 @@
 #include "roms/interact/choose.h"
 #include "roms/interact/pointer.h"
 #include "roms/interact/pointer_tracking.h"
+#include "roms/interact/typed.h"
 #include "roms/stage/stage.h"
 
 enum { PAGE_ORBIT, PAGE_PROBE, PAGE_SIGNALS, PAGES };
@@ -116,6 +117,7 @@ struct choice {
     struct pointer pointer;
     struct tracking tracking; /* the pen on the vector head */
     bool tracks;
+    struct typed typed;
     struct choose tabs, side;
     int page, slider; /* that + and - move */
     bool pen_field;
@@ -125,6 +127,6 @@ struct choice {
 };
 
 /* keys.c: the next key of the keyboard, or of the console; false: none. */
-bool keys_take(struct key_event *key);
+bool keys_take(struct typed *typed, struct key_event *key);
 
 #endif

@@ -221,7 +221,7 @@ static bool turn(struct choice *c, uint64_t *before)
         tracking_frame(&c->tracking);
     while (pointer_poll(&c->pointer))
         pointed(c);
-    while (keys_take(&key)) {
+    while (keys_take(&c->typed, &key)) {
         if (key.character == 'q')
             return false;
         typed(c, &key);

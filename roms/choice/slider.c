@@ -1,3 +1,5 @@
+#include <string.h>
+
 #include "roms/choice/choice.h"
 #include "roms/geometry/scalar.h"
 
@@ -32,7 +34,7 @@ void slider_draw(const struct slider *s, struct stage *stage, bool marked, const
     float knob = track_low(s) + part * (track_high(s) - track_low(s)), y = s->bottom + 4;
     stage_ink(stage, marked ? INK_ORANGE : INK_TEXT);
     stage_text(stage, s->left, s->bottom + 34, s->label);
-    float room = (float)(STAGE_CHARACTER * __builtin_strlen(words));
+    float room = (float)(STAGE_CHARACTER * strlen(words));
     stage_ink(stage, INK_BRIGHT);
     stage_text(stage, s->left + s->width - room, s->bottom + 34, words);
     fill(stage, s->left, y, s->width, TRACK, (enum ink)ink_shade(RAMP_BLUE, marked ? 0.36f : 0.2f));

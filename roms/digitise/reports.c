@@ -1,5 +1,6 @@
 #include "roms/digitise/reports.h"
 
+#include "roms/bsp/interrupts.h"
 #include "roms/bsp/timer.h"
 
 /* The report stays readable after it was taken until the next one comes: raw words come first. */
@@ -31,9 +32,10 @@ void reports_open(struct reports *r)
 
 bool reports_take(struct reports *r, struct report *out)
 {
-    if (r->taken == r->put)
-        return false;
-    *out = r->waiting[r->taken % REPORTS_MOST];
-    r->taken++;
-    return true;
+    uint32_t state = irq_lock(); /* a place that is given back is written over at once */
+    bool any = r->taken != r->put;
+    if (any)
+        *out = r->waiting[r->taken++ % REPORTS_MOST];
+    irq_unlock(state);
+    return any;
 }

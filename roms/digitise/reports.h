@@ -23,8 +23,8 @@ struct report {
 
 struct reports {
     struct report waiting[REPORTS_MOST];
-    volatile unsigned put, taken; /* counts */
-    bool full;                    /* one was lost for want of room */
+    unsigned put, taken; /* counts, modulo 2^32; read with interrupts off */
+    bool full;           /* one was lost for want of room */
 };
 
 void reports_open(struct reports *reports);

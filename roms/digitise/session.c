@@ -98,13 +98,13 @@ static void let_go(struct session *s)
     s->gap = false; /* what was lost before the next press is between lines */
 }
 
-/* The puck's: the same as these keys. */
+/* The puck's: the same as these keys, also while coordinates are typed. */
 static void functions(struct session *s, unsigned pressed)
 {
     static const char keys[] = {0, 'n', 'x', 'c'};
     for (unsigned i = 1; i < sizeof keys; i++)
         if (pressed >> i & 1)
-            session_key(s, keys[i]);
+            session_function(s, keys[i]);
 }
 
 void session_report(struct session *s, const struct report *report)

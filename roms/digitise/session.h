@@ -93,6 +93,8 @@ void session_stream_begin(struct session *session);
 void session_stream_report(struct session *session, const struct report *report);
 void session_stream_end(struct session *session);
 bool session_typed(struct session *session, int key);
+/* What a key does that is no part of coordinates. */
+bool session_function(struct session *session, int key);
 void session_refit(struct session *session);
 
 #endif

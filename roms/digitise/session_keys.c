@@ -25,12 +25,14 @@ static bool coordinates(const char *text, struct point2 *out)
            *end == ' ' && decimal(end, &last, &out->y) && last[strspn(last, " ")] == '\0';
 }
 
-/* Of the reference point that is touched next. */
+/* Of the reference point that is touched next; the last one may have been touched while they were typed. */
 static void take_typed(struct session *s)
 {
     struct point2 known;
     s->typing = false;
-    if (coordinates(s->typed, &known))
+    if (s->touched == FIT_POINTS_MOST)
+        s->message = "There are enough reference points.";
+    else if (coordinates(s->typed, &known))
         s->pair[s->touched].known = known;
     else
         s->message = "Two numbers are expected, millimetres.";
@@ -167,7 +169,7 @@ static bool setting(struct session *s, int key)
     return true;
 }
 
-bool session_key(struct session *s, int key)
+bool session_function(struct session *s, int key)
 {
     static const struct {
         int key;
@@ -175,8 +177,6 @@ bool session_key(struct session *s, int key)
     } acts[] = {{'r', place_anew},  {'a', other_fit},  {'=', type_known}, {'n', new_line},
                 {'x', delete_last}, {'c', close_line}, {'e', erase},      {'t', by_time}};
     static const char modes[] = "?pls";
-    if (s->typing)
-        return session_typed(s, key);
     s->message = NULL;
     for (int i = MODE_POINT; i < MODES; i++)
         if (key == modes[i]) {
@@ -189,4 +189,9 @@ bool session_key(struct session *s, int key)
             return true;
         }
     return setting(s, key);
+}
+
+bool session_key(struct session *s, int key)
+{
+    return s->typing ? session_typed(s, key) : session_function(s, key);
 }

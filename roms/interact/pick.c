@@ -6,9 +6,9 @@
 #include "roms/bsp/board.h"
 #include "roms/bsp/dpu.h"
 #include "roms/bsp/interrupts.h"
-#include "roms/bsp/video.h"
+#include "roms/bsp/timer.h"
+#include "roms/interact/pen_place.h"
 #include "roms/interact/pen_rows.h"
-#include "roms/interact/pointer.h"
 
 enum {
     BUTTON_WORDS = 64, /* more than a button has */
@@ -17,6 +17,7 @@ enum {
 };
 
 #define APERTURE 14.0f
+
 /* Sixtieths of a second. */
 static uint32_t now(void)
 {
@@ -37,11 +38,9 @@ void pick_hit(void *ctx)
 {
     struct pick *pick = ctx;
     uint32_t pc = dpu_pc();
-    struct stage *stage = pick->segments->stage;
     struct pick_hit hit = {
         .name = pick_segment_at(pick->segments, pc),
-        .at = {(float)dpu_x() / stage->units,
-               ((float)dpu_y() - stage_head_y(stage, 0)) / stage->units},
+        .at = stage_from_head(pick->segments->stage, (float)dpu_x(), (float)dpu_y()),
         .group = board_ticks(),
         .time = now(),
     };
@@ -120,7 +119,6 @@ static int button_at(const struct pick *pick, struct point2 at)
 static bool raster_place(const struct pick *pick, struct point2 *at)
 {
     const struct pick_opinion *o = &pick->head[INPUT_RASTER];
-    const struct stage *s = pick->segments->stage;
     struct pen_rows rows = {0};
     float line, dot;
     for (int i = 0; i < o->grouped; i++) {
@@ -130,8 +128,7 @@ static bool raster_place(const struct pick *pick, struct point2 *at)
     }
     if (!pen_rows_middle(&rows, &line, &dot, NULL))
         return false;
-    *at = (struct point2){(dot - pick->pen_dots - s->left) / s->dots,
-                          (s->bottom - 1 - line + pick->pen_lines) / s->dots};
+    *at = pen_place(pick->segments->stage, pick->pen_dots, pick->pen_lines, line, dot);
     return true;
 }
 
@@ -158,10 +155,15 @@ static void look(struct pick *pick, enum input_head head, int *name, int *part, 
         *name = g->name;
 }
 
+static bool may_tell(const struct pick *pick)
+{
+    return pick->put - pick->taken < PICK_EVENTS;
+}
+
 static void tell(struct pick *pick, enum pick_kind kind, enum input_head head)
 {
     const struct pick_opinion *o = &pick->head[head];
-    if (pick->put - pick->taken == PICK_EVENTS)
+    if (!may_tell(pick))
         return;
     pick->event[pick->put++ % PICK_EVENTS] =
         (struct pick_event){kind, head, o->name, o->part, o->at};
@@ -201,15 +203,26 @@ static void forget(struct pick *pick, enum input_head head)
     tell(pick, PICK_POINTS, head);
 }
 
+/* A place that is given back is written over at once. */
+static bool take_hit(struct pick_opinion *o, struct pick_hit *hit)
+{
+    uint32_t state = irq_lock();
+    bool any = o->put != o->taken;
+    if (any)
+        *hit = o->hit[o->taken++ % PICK_HITS];
+    irq_unlock(state);
+    return any;
+}
+
 static void take_hits(struct pick *pick, enum input_head head)
 {
     struct pick_opinion *o = &pick->head[head];
-    for (; o->put != o->taken; o->taken++) {
-        const struct pick_hit *hit = &o->hit[o->taken % PICK_HITS];
-        if (o->grouped > 0 && o->group[0].group != hit->group)
+    struct pick_hit hit;
+    while (take_hit(o, &hit)) {
+        if (o->grouped > 0 && o->group[0].group != hit.group)
             conclude(pick, head);
         if (o->grouped < PICK_HITS)
-            o->group[o->grouped++] = *hit;
+            o->group[o->grouped++] = hit;
     }
     if (o->grouped > 0 && now() - o->group[0].time >= OVER)
         conclude(pick, head);
@@ -217,18 +230,10 @@ static void take_hits(struct pick *pick, enum input_head head)
 
 /* ---- for the program ----------------------------------------------------------------------------------- */
 
-/* The pulse is late, but the beam is seen before it is in the middle of what the pen sees. */
-static float late_dots(const struct stage *stage)
-{
-    float width = (float)video_width_um(), dots = (float)stage->page[0].width;
-    float sees = width > 0 ? POINTER_PEN_SEES_UM / 2.0f * dots / width : 0;
-    return (float)video_timing().clock_hz * (POINTER_PEN_LATE_NS * 1e-9f) - sees;
-}
-
 void pick_begin(struct pick *pick, struct segments *segments)
 {
     *pick = (struct pick){.segments = segments, .aperture = APERTURE};
-    pick->pen_dots = late_dots(segments->stage);
+    pick->pen_dots = pen_usual_dots();
     dpu_on_pen(pick_hit, pick);
     input_on(INPUT_BIT_PEN_RASTER, on_raster_pen, pick);
     pen_raster_on(false);
@@ -242,7 +247,7 @@ static void poll_head(struct pick *pick, enum input_head head)
     uint32_t state = irq_lock();
     look_at_tip(o, head);
     irq_unlock(state);
-    for (; o->pressed != o->presses; o->pressed++)
+    for (; o->pressed != o->presses && may_tell(pick); o->pressed++) /* others wait */
         tell(pick, PICK_PRESSED, head);
 }
 

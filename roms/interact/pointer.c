@@ -4,6 +4,7 @@
 #include "roms/bsp/interrupts.h"
 #include "roms/bsp/video.h"
 #include "roms/geometry/scalar.h"
+#include "roms/interact/pen_place.h"
 
 #define MOUSE_UNITS  10.0f  /* stage units a millimetre of the hand */
 #define MOUSE_SLOW   60.0f  /* mm/s, up to which it is so */
@@ -16,22 +17,14 @@
 extern const char kinescope_tablet[];
 const char kinescope_tablet[] = "26 84 970 646  0 171 1024 683";
 
-static struct point2 in_picture(float x, float y)
+static struct point2 in_picture(struct point2 at)
 {
-    return (struct point2){scalar_clamp(x, 0, STAGE_WIDTH), scalar_clamp(y, 0, STAGE_HEIGHT)};
+    return (struct point2){scalar_clamp(at.x, 0, STAGE_WIDTH), scalar_clamp(at.y, 0, STAGE_HEIGHT)};
 }
 
 static float apart(struct point2 a, struct point2 b)
 {
     return hypotf(a.x - b.x, a.y - b.y);
-}
-
-/* Of an offset: the beam goes on while the pen is late, and came in left of the middle. */
-static float usual_dots(void)
-{
-    struct video_timing t = video_timing();
-    float dots = video_width_um() > 0 ? (float)t.h_visible / (float)video_width_um() : 0;
-    return (float)t.clock_hz * (POINTER_PEN_LATE_NS * 1e-9f) - POINTER_PEN_SEES_UM / 2.0f * dots;
 }
 
 void pointer_open(struct pointer *p, struct stage *stage)
@@ -40,7 +33,7 @@ void pointer_open(struct pointer *p, struct stage *stage)
     p->tablet = tablet_facts();
     p->touch = touch_facts();
     p->mouse_nm = mouse_unit_nm();
-    pointer_calibrate(p, usual_dots(), 0);
+    pointer_calibrate(p, pen_usual_dots(), 0);
     pointer_listen(p);
 }
 
@@ -52,19 +45,14 @@ void pointer_calibrate(struct pointer *p, float dots, float lines)
 
 /* ---- where a device points ------------------------------------------------------------------- */
 
-static struct point2 from_canvas(const struct stage *s, float dot, float row)
-{
-    return in_picture((dot - s->left) / s->dots, (s->bottom - 1 - row) / s->dots);
-}
-
 static struct point2 tablet_point(const struct pointer *p, const struct pointer_report *r)
 {
     float width = (float)p->tablet.width, height = (float)p->tablet.height;
     if (width <= 0 || height <= 0)
         return p->at;
     float units = scalar_max(STAGE_WIDTH / width, STAGE_HEIGHT / height); /* a count */
-    return in_picture(STAGE_WIDTH / 2 + ((float)r->x - width / 2) * units,
-                      STAGE_HEIGHT / 2 + ((float)r->y - height / 2) * units);
+    return in_picture((struct point2){STAGE_WIDTH / 2 + ((float)r->x - width / 2) * units,
+                                      STAGE_HEIGHT / 2 + ((float)r->y - height / 2) * units});
 }
 
 /* On the vector head nothing says how large the screen is; the panel covers it, though. */
@@ -74,15 +62,15 @@ static struct point2 touch_point(const struct pointer *p, const struct pointer_r
     if (p->touch.head == INPUT_RASTER && video_width_um() > 0 && video_height_um() > 0) {
         float x = (float)r->x / (float)video_width_um();
         float y = 1 - (float)r->y / (float)video_height_um();
-        return from_canvas(s, x * (float)s->page[0].width - 0.5f,
-                           y * (float)s->page[0].height - 0.5f);
+        return in_picture(stage_from_canvas(s, x * (float)s->page[0].width - 0.5f,
+                                            y * (float)s->page[0].height - 0.5f));
     }
     if (p->touch.head == INPUT_RASTER || p->touch.columns == 0 || p->touch.rows == 0)
         return p->at;
     float x = (float)((uint32_t)r->z >> 16) + 1, y = (float)((uint32_t)r->z & 0xFFFF) + 1;
     float ux = x / (2 * (float)p->touch.columns) * VECTOR_UNITS - 0.5f;
     float uy = y / (2 * (float)p->touch.rows) * VECTOR_UNITS - 0.5f;
-    return in_picture(ux / s->units, (uy - stage_head_y(s, 0)) / s->units);
+    return in_picture(stage_from_head(s, ux, uy));
 }
 
 static struct point2 mouse_point(const struct pointer *p, const struct pointer_report *r)
@@ -92,20 +80,13 @@ static struct point2 mouse_point(const struct pointer *p, const struct pointer_r
     float speed = hypotf((float)r->x, (float)r->y) * mm / seconds;
     float more = scalar_clamp((speed - MOUSE_SLOW) / (MOUSE_FAST - MOUSE_SLOW), 0, 1);
     float units = MOUSE_UNITS * (1 + more) * mm;
-    return in_picture(p->at.x + (float)r->x * units, p->at.y + (float)r->y * units);
+    return in_picture(
+        (struct point2){p->at.x + (float)r->x * units, p->at.y + (float)r->y * units});
 }
 
-/* A firing just after the beam has left its row finds it in blanking; one so late that the next row has
- * begun belongs to the row before. */
 struct point2 pointer_pen_point(const struct pointer *p, float line, float dot)
 {
-    struct video_timing t = video_timing();
-    float x = dot - p->pen_dots, y = line - p->pen_lines;
-    if (x < -0.5f * (float)(t.h_total - t.h_visible)) {
-        x += (float)t.h_total;
-        y -= 1;
-    }
-    return from_canvas(p->stage, x, y);
+    return in_picture(pen_place(p->stage, p->pen_dots, p->pen_lines, line, dot));
 }
 
 /* ---- the raster pen's firings and tip ---------------------------------------------------------- */
@@ -286,14 +267,22 @@ static bool waits_for_next(const struct pointer *p)
            !(p->pressed && p->device == r->device);
 }
 
+static bool take_next(struct pointer *p)
+{
+    uint32_t state = irq_lock();
+    bool taken = p->put != p->taken && !waits_for_next(p) && take_oldest(p);
+    irq_unlock(state);
+    return taken;
+}
+
+/* Between reports interrupts come in: a pen fires in each row. What comes while a queue of them is taken is
+ * the next poll's, so that polls end. */
 bool pointer_poll(struct pointer *p)
 {
     begin(p);
     bool changed = p->lost;
-    uint32_t state = irq_lock();
-    while (p->put != p->taken && !waits_for_next(p) && take_oldest(p))
+    for (int i = 0; i < POINTER_QUEUE && take_next(p); i++)
         changed = true;
-    irq_unlock(state);
     return pen_gone(p) || changed || p->released_now;
 }
 

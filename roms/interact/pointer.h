@@ -55,11 +55,6 @@ enum {
     POINTER_TRACKED = POINTER_DEVICES /* private: the pen on the vector head */
 };
 
-/* The pen of the raster head, unless calibration has said otherwise: how late it fires after the beam has come
- * into what it sees, and how large that is. What roms/calibrate finds with the figures of input/pen.h. */
-#define POINTER_PEN_LATE_NS 360
-#define POINTER_PEN_SEES_UM 4050
-
 /* What a device said. x, y: tablet: counts; touch panel: micrometres; mouse: counts since its report
  * before; raster pen: dot, line of the beam, z its field. */
 struct pointer_report {

@@ -1,4 +1,6 @@
 /* pointer_devices.c — handlers of the devices: what they report goes into the pointer's queue. */
+#include <stddef.h>
+
 #include "roms/bsp/interrupts.h"
 #include "roms/interact/pointer.h"
 

@@ -1,4 +1,6 @@
 /* pointer_field.c — a light pen sees no black: a single blue field shows where it is. */
+#include <stddef.h>
+
 #include "emu/memmap.h"
 #include "roms/bsp/interrupts.h"
 #include "roms/bsp/video.h"

@@ -17,6 +17,8 @@
 #include "roms/interact/pointer.h"
 #include "roms/interact/tracking.h"
 
+/* One sample, for programs that take them themselves. A pen that is lost is told of once. */
+void pointer_tracked(struct pointer *pointer, const struct tracking_sample *sample);
 void pointer_follow(struct pointer *pointer, struct tracking *tracking);
 
 #endif

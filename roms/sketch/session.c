@@ -7,7 +7,7 @@
 #include "roms/bsp/timer.h"
 #include "roms/geometry/scalar.h"
 
-enum { PATIENCE = TIMER_HZ / 500, QUIET = TIMER_HZ / 1000 };
+enum { PATIENCE = TIMER_HZ / 500, QUIET = TIMER_HZ / 1000, ROUND = TIMER_HZ / 4 };
 
 /* ---- saving and loading ---------------------------------------------------------------------- */
 
@@ -59,6 +59,7 @@ static void end_load(struct session *s)
 static void leave_off_load(struct session *s, const char *why)
 {
     s->loading = false;
+    typed_rest_begin(&s->rest, timer_now());
     tools_say(&s->tools, why);
     console_write("load: ");
     console_write(why);
@@ -89,16 +90,18 @@ static void take_byte(struct session *s, int byte)
         s->line[s->length++] = byte == '\0' ? '?' : (char)byte;
 }
 
-/* All that comes without a pause: nothing is drawn meanwhile. */
+/* What comes without a pause: nothing is drawn meanwhile. Of text without an end not all: somebody may
+ * press Escape. */
 static void load(struct session *s)
 {
-    uint64_t last = timer_now();
-    while (s->loading && timer_now() - last < QUIET) {
+    uint64_t begin = timer_now(), last = begin;
+    for (uint64_t now = begin; s->loading && now - last < QUIET && now - begin < ROUND;
+         now = timer_now()) {
         int byte = console_poll();
         if (byte < 0)
             continue;
         take_byte(s, byte);
-        last = timer_now();
+        last = now;
     }
 }
 
@@ -154,7 +157,11 @@ static bool take_keys(struct session *s)
         if (!key.up && !modifier && (!key.repeat || repeats(chosen)))
             choose(s, chosen);
     }
-    return any;
+    if (!key_lost())
+        return any;
+    s->shift = false; /* it may have been let go */
+    tools_say(&s->tools, "Keys came faster than they could be taken: some are lost.");
+    return true;
 }
 
 static bool take_console(struct session *s)
@@ -164,6 +171,8 @@ static bool take_console(struct session *s)
         return !s->loading;
     }
     int byte = console_poll();
+    if (typed_rest_takes(&s->rest, byte, timer_now()))
+        return false;
     return byte >= 0 && choose(s, menu_letter((unsigned)byte));
 }
 

@@ -14,6 +14,7 @@
 #define ROMS_SKETCH_SESSION_H
 
 #include "roms/interact/pointer.h"
+#include "roms/interact/typed.h"
 #include "roms/sketch/text.h"
 #include "roms/sketch/view.h"
 
@@ -27,6 +28,7 @@ struct session {
         line[TEXT_LINE + 2]; /* of the console, while loading; one more tells that it is too long */
     int length;
     bool returned; /* the byte before was a carriage return */
+    struct typed_rest rest;
 };
 
 _Noreturn void session_run(struct session *s);

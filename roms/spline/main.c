@@ -17,8 +17,8 @@
 #include "roms/bsp/console.h"
 #include "roms/bsp/timer.h"
 #include "roms/interact/pointer.h"
+#include "roms/interact/typed.h"
 #include "roms/spline/points_text.h"
-#include "roms/spline/typed.h"
 #include "roms/spline/view.h"
 
 /* The vector head's tube, unless another is asked for: P39 glows on for long. */
@@ -32,7 +32,8 @@ struct program {
     struct menu_kept menu;
     struct typed typed;
     struct points_reader reader;
-    bool loading;
+    bool loading, returned; /* the byte before was '\r' */
+    struct typed_rest rest;
     unsigned buttons;
 };
 
@@ -42,10 +43,15 @@ static void put(void *ctx, const char *line)
     console_write(line);
 }
 
-/* What was read becomes the model, or nothing changes. */
-static void load(struct program *p, char c)
+/* What was read becomes the model, or nothing changes. "\r\n" ends one line. */
+static void load(struct program *p, int c)
 {
-    enum points_state state = c == CONSOLE_EOF ? POINTS_WRONG : points_read(&p->reader, c);
+    bool returned = p->returned;
+    p->returned = c == '\r';
+    if (c == '\n' && returned)
+        return;
+    enum points_state state =
+        c == CONSOLE_EOF ? POINTS_WRONG : points_read(&p->reader, c == '\r' ? '\n' : (char)c);
     if (state == POINTS_MORE)
         return;
     p->loading = false;
@@ -57,6 +63,7 @@ static void load(struct program *p, char c)
         printf("not loaded: line %d: %s\n", p->reader.number,
                p->reader.trouble ? p->reader.trouble : "the text has no end");
         p->editor.message = "The text was not taken: the console says why.";
+        typed_rest_begin(&p->rest, timer_now()); /* 'e' would erase, and 'q' end */
     }
 }
 
@@ -69,6 +76,7 @@ static void console(struct program *p)
     } else if (wanted == CONSOLE_LOAD) {
         points_read_begin(&p->reader);
         p->loading = true;
+        p->returned = false;
         stage_prompt(&p->stage, "Type or paste points: from \"spline 1\" to \"end\".");
     } else if (wanted == CONSOLE_QUIT) {
         console_drain();
@@ -76,18 +84,42 @@ static void console(struct program *p)
     }
 }
 
+static int editor_key_of(const struct key_event *key)
+{
+    switch (key->code) {
+    case KEYCODE_UP:
+        return EDITOR_UP;
+    case KEYCODE_DOWN:
+        return EDITOR_DOWN;
+    case KEYCODE_LEFT:
+        return EDITOR_LEFT;
+    case KEYCODE_RIGHT:
+        return EDITOR_RIGHT;
+    default:
+        return key->character;
+    }
+}
+
+static void obey(struct program *p, int c)
+{
+    struct key_event key;
+    if (typed_take(&p->typed, (uint8_t)c, timer_now(), &key) && editor_key_of(&key) != 0)
+        editor_key(&p->editor, editor_key_of(&key));
+    console(p);
+}
+
 static bool typed(struct program *p)
 {
     bool changed = false;
-    for (int c; (c = console_poll()) >= 0;) {
-        int key = p->loading ? 0 : typed_key(&p->typed, c);
+    int c;
+    while ((c = console_poll()) >= 0) {
         changed = true;
         if (p->loading)
-            load(p, c == '\r' ? '\n' : (char)c);
-        else if (key)
-            editor_key(&p->editor, key);
-        console(p);
+            load(p, c);
+        else if (!typed_rest_takes(&p->rest, c, timer_now()))
+            obey(p, c);
     }
+    typed_rest_takes(&p->rest, c, timer_now());
     return changed;
 }
 

@@ -243,3 +243,13 @@ float stage_head_y(const struct stage *stage, float y)
 {
     return (DEVICE_UNITS - STAGE_HEIGHT * stage->units) / 2 + y * stage->units;
 }
+
+struct point2 stage_from_canvas(const struct stage *stage, float x, float y)
+{
+    return (struct point2){(x - stage->left) / stage->dots, (stage->bottom - 1 - y) / stage->dots};
+}
+
+struct point2 stage_from_head(const struct stage *stage, float x, float y)
+{
+    return (struct point2){x / stage->units, (y - stage_head_y(stage, 0)) / stage->units};
+}

@@ -141,5 +141,8 @@ float stage_canvas_y(const struct stage *stage, float y);
 /* … and in head units of the vector head. */
 float stage_head_x(const struct stage *stage, float x);
 float stage_head_y(const struct stage *stage, float y);
+/* Where places of the canvas and of the vector head are on the stage, and beyond it. */
+struct point2 stage_from_canvas(const struct stage *stage, float x, float y);
+struct point2 stage_from_head(const struct stage *stage, float x, float y);
 
 #endif

@@ -4,6 +4,7 @@
 
 #include "roms/bsp/timer.h"
 #include "roms/geometry/scalar.h"
+#include "roms/stage/tenths.h"
 #include "roms/track/track.h"
 
 #define STILL 1.5f /* head units within which the pen rests */
@@ -14,11 +15,12 @@ const char *track_state_name(enum tracking_state state)
     return names[state];
 }
 
-/* Tenths, as printf knows whole numbers only here. */
 static void print_place(struct point2 at)
 {
-    int x = scalar_nearest(at.x * 10), y = scalar_nearest(at.y * 10);
-    printf("%d.%d %d.%d", x / 10, x % 10, y / 10, y % 10);
+    char x[16], y[16];
+    tenths_text(x, sizeof x, at.x, 0, false);
+    tenths_text(y, sizeof y, at.y, 0, false);
+    printf("%s %s", x, y);
 }
 
 /* mm/s over the window; no faster than the shortest way between its ends. */

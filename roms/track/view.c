@@ -9,7 +9,7 @@ enum { LEFT = 8, TOP = 770, LENS_X = 1060, LENS_Y = 660, LENS = 120, LENS_UNITS 
 
 static struct point2 place(const struct stage *stage, struct point2 head)
 {
-    return (struct point2){head.x / stage->units, (head.y - stage_head_y(stage, 0)) / stage->units};
+    return stage_from_head(stage, head.x, head.y);
 }
 
 static void line(struct stage *stage, struct point2 a, struct point2 b)

@@ -55,7 +55,7 @@ firmware=roms/clock.elf refreshes=1000
 # What a film and a trace need, without libpng, GL, inih, nettle and libxcvt; the AVX2 kernels on x86-64 only.
 sources="$(ls crt/*.c display_file/*.c | grep -vE '_avx2|png|glass|gl_|ini|image_hash|catalogue|beam_read')
     $(ls raster/*.c | grep -vE 'mode_(cvt|parse)')
-    $(ls emu/machine*.c emu/cpu/*.c emu/board/*.c) emu/flow.c emu/refresh.c emu/console.c emu/trace_lines.c"
+    $(ls input/*.c) $(ls emu/machine*.c emu/cpu/*.c emu/board/*.c) emu/operator.c emu/flow.c emu/refresh.c emu/console.c emu/trace_lines.c"
 flags="-std=c11 -D_POSIX_C_SOURCE=200809L -O2 -ffp-contract=off -I. -pthread"
 compile() { # COMPILER...: its objects, then the programs
     rm -rf "$out/objects"

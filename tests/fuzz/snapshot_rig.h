@@ -206,6 +206,7 @@ static void set_up(bool with_firmware)
         (struct vm_monitor){*crt_tube_row_find("VR17"), *crt_phosphor_find("P7"), {0, 1, 0}, false};
     settings.monitor[VM_RASTER] = (struct vm_monitor){
         *crt_tube_row_find("MONO12"), *crt_phosphor_find("P4"), {0, 1, 0}, false};
+    inp_setup_default(&settings.setup);
     REQUIRE(ras_mode_parse("640x480@60", &settings.timing, &err));
     give_colours(&settings.monitor[VM_VECTOR].row);
     strcpy(input.name, "fuzz");

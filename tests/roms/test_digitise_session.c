@@ -90,6 +90,30 @@ static void type(const char *text)
         session_key(&s, *text);
 }
 
+/* The last reference point is touched, and puck buttons are pressed, while coordinates are typed. */
+static void typing_goes_on_while_the_stylus_works(void **state)
+{
+    (void)state;
+    begin();
+    for (int i = 0; i < FIT_POINTS_MOST - 1; i++)
+        touch(100 + 200 * i, 100 + 90 * (i % 3), 0);
+    type("=30 40");
+    touch(2000, 2000, 0);
+    assert_int_equal(s.touched, FIT_POINTS_MOST);
+    float scatter[FIT_POINTS_MOST];
+    memcpy(scatter, s.scatter, sizeof scatter);
+    type("\r");
+    assert_non_null(s.message);
+    assert_memory_equal(s.scatter, scatter, sizeof scatter);
+    type("x=30 40");
+    report(0, 0, 0, 4);
+    report(0, 0, 0, 0);
+    assert_int_equal(s.touched, FIT_POINTS_MOST - 2);
+    type("\r");
+    assert_null(s.message);
+    assert_true(s.pair[s.touched].known.x == 30 && s.pair[s.touched].known.y == 40);
+}
+
 static void coordinates_are_typed(void **state)
 {
     (void)state;
@@ -335,6 +359,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(reference_points_place_the_paper),
         cmocka_unit_test(coordinates_are_typed),
+        cmocka_unit_test(typing_goes_on_while_the_stylus_works),
         cmocka_unit_test(points_are_means_and_lines_join_them),
         cmocka_unit_test(buttons_of_a_puck_are_functions),
         cmocka_unit_test(a_stream_keeps_its_spacing_and_is_thinned),

@@ -17,6 +17,7 @@
 #define distance_to_text pick_distance_to_text
 #define mean             pick_mean
 #define look             pick_look
+#include "roms/interact/pen_place.c"
 #include "roms/interact/pen_rows.c"
 #include "roms/interact/pick.c"
 #include "roms/interact/pick_find.c"
@@ -79,7 +80,7 @@ void irq_unlock(uint32_t state)
 
 struct video_timing video_timing(void)
 {
-    return (struct video_timing){.clock_hz = 25000000};
+    return (struct video_timing){25000000, 640, 656, 752, 800, 480, 490, 492, 525, 0};
 }
 
 uint32_t video_width_um(void)
@@ -431,6 +432,25 @@ static void each_press_is_told_once(void **state)
     assert_int_equal(e.name, 0);
 }
 
+/* More than there is room for at once. */
+static void no_press_is_lost(void **state)
+{
+    (void)state;
+    enum { PRESSES = 5 * PICK_EVENTS / 2 };
+    struct pick_event e;
+    make();
+    for (int i = 0; i < PRESSES; i++) {
+        board.moved[INPUT_RASTER] = true;
+        raster_pen(&pick);
+    }
+    for (int i = 0; i < PRESSES; i++) {
+        e = next();
+        assert_int_equal(e.kind, PICK_PRESSED);
+        assert_int_equal(e.head, INPUT_RASTER);
+    }
+    assert_true(quiet());
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -445,6 +465,7 @@ int main(void)
         cmocka_unit_test(light_far_from_any_segment_is_none),
         cmocka_unit_test(buttons_are_found_on_both_heads),
         cmocka_unit_test(each_press_is_told_once),
+        cmocka_unit_test(no_press_is_lost),
     };
     (void)decode; /* of the rig, for others */
     (void)drawn_is;

@@ -16,6 +16,7 @@ static uint32_t table[VIDEO_LUT_ENTRIES];
 
 void video_set_colour(unsigned index, uint32_t rgb);
 
+#include "roms/interact/pen_place.c"
 #include "roms/interact/pen_rows.c"
 #include "roms/interact/pointer.c"
 #include "roms/interact/pointer_devices.c"

@@ -42,7 +42,7 @@ printf 'one\rtwp\177o\r\rtab\there\n%0100d\rlast\004more\004\004' 7 >"$work/type
 said() { sed -n '/^Type lines/,$p' "$1" >"$1.said"; }
 ours roms/hello.elf <"$work/typed" >"$work/hello.ours"
 report $? "hello: kinescope's exit status is 0"
-grep -q '^Memory map 2, .* vector head: yes, raster head: yes' "$work/hello.ours"
+grep -q '^Memory map 3, .* vector head: yes, raster head: yes' "$work/hello.ours"
 report $? "hello: it knows where it is"
 said "$work/hello.ours"
 [ "$(grep -c '^You typed: ' "$work/hello.ours.said")" = 7 ]

@@ -43,6 +43,13 @@ cp "$work/unended" "$said"
 grep -q '^load: The text ended before "end". The drawing is as it was.$' "$work/unended"
 report $? "text without an end is not waited for for ever"
 
+# Its rest is no commands: s would save.
+printf 'at 2s key Escape\n' >"$work/escape"
+{ printf 'lsketch 1\n' && yes 'ssssssss' | head -n 8000; } | sketch 4s --input "$work/escape" >"$work/left"
+cp "$work/left" "$said"
+grep -q '^load: Loading was left off.' "$work/left" && ! grep -q 'sketch: begin' "$work/left"
+report $? "Escape leaves off loading while text comes, and the rest of it is passed over"
+
 # Undo on the console, as many times as it takes, and again.
 { printf l; cat "$work/bridge"; printf 'usrs'; } | sketch 4s >"$work/undone"
 cp "$work/undone" "$said"

@@ -64,6 +64,20 @@ grep -qx 'not loaded: line 4: the point lies outside of the drawing area' "$work
     near "$work/said" 0.01 90 200 200 620 420 700 560 300 760 180 880 560
 report $? "text that is wrong changes nothing"
 
+# Its rest is no keys: 'e' would erase all, 'q' end.
+printf '%s\n' 'at 0.5s key L' '+20ms type "spline 1\nkind none\npoint 1 2\nqqqeee end\n"' '+200ms key W' \
+    '+200ms key Q' >"$work/rest"
+written "$work/rest" >"$work/said"
+grep -qx 'not loaded: line 2: expected: kind KIND knots KNOTS open|closed' "$work/said" &&
+    near "$work/said" 0.01 90 200 200 620 420 700 560 300 760 180 880 560 &&
+    grep -qx end "$work/said"
+report $? "the rest of text that is wrong is passed over"
+
+printf 'lspline 1\r\nkind none\r\n' |
+    "$KINESCOPE" run roms/spline.elf --headless --console --for 1s >"$work/said" 2>"$work/errors"
+grep -q '^not loaded: line 2: ' "$work/said"
+report $? "lines that end as terminals end them are counted once"
+
 # ---- keys and undo ------------------------------------------------------------------------------------------
 printf '%s\n' 'at 0.5s type "p\t\tjjc"' '+50ms type "\e[A\e[A\e[C"' '+50ms type "w"' '+200ms type "uuuuuuw"' \
     '+200ms key Q' >"$work/typed"

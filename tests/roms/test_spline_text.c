@@ -27,7 +27,6 @@
 #include "roms/spline/periodic.c"
 #include "roms/spline/points_read.c"
 #include "roms/spline/points_write.c"
-#include "roms/spline/typed.c"
 
 #include "tests/roms/curves_support.h"
 #include "tests/roms/spline_support.h"
@@ -301,22 +300,6 @@ static void handles_t_and_the_mark_are_dragged(void **state)
     assert_near(e.part, 0.6, 0.005);
 }
 
-static void arrows_come_as_sequences(void **state)
-{
-    (void)state;
-    struct typed t = {0};
-    static const char bytes[] = "a\033[A\033OD\033[1;5Cb\033xc";
-    int keys[8], count = 0;
-    for (size_t i = 0; i + 1 < sizeof bytes; i++) {
-        int key = typed_key(&t, bytes[i]);
-        if (key)
-            keys[count++] = key;
-    }
-    const int expected[] = {'a', EDITOR_UP, EDITOR_LEFT, EDITOR_RIGHT, 'b', 'c'};
-    assert_int_equal(count, 6);
-    assert_memory_equal(keys, expected, sizeof expected);
-}
-
 static void nothing_a_person_does_breaks_the_model(void **state)
 {
     (void)state;
@@ -353,7 +336,6 @@ int main(void)
         cmocka_unit_test(a_tap_chooses_and_moves_nothing),
         cmocka_unit_test(touching_adds_where_the_polygon_is_near),
         cmocka_unit_test(handles_t_and_the_mark_are_dragged),
-        cmocka_unit_test(arrows_come_as_sequences),
         cmocka_unit_test(nothing_a_person_does_breaks_the_model),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
