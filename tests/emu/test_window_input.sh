@@ -95,6 +95,70 @@ report $? "keys: done again offscreen it gives the screenshot"
 "$KINESCOPE" run --headless --input keys.script --record again.script --for 60s 2>/dev/null
 cmp keys.script again.script
 report $? "keys: recorded once more it is the same script"
+# ---- what one would do first with the drawing program: draw, choose from its menu, undo, drag
+
+# Places are those of the program's picture, 640 x 480 dots; "s" prints the drawing on the console.
+"$KINESCOPE" run "$roms/sketch.elf" --size 640x480 --view raster --record sketch.script --console \
+    </dev/null >sketch.text 2>sketch.log &
+viewer=$!
+until_true 30 title sketch.elf
+report $? "sketch: a window opens"
+xdotool windowfocus "$(title sketch.elf | tail -n 1)" 2>/dev/null
+sleep 3
+pull() { # X0 Y0 X1 Y1: press, drag, release
+    xdotool mousemove "$1" "$2"
+    sleep 0.5
+    xdotool mousedown 1
+    sleep 0.5
+    drag "$@"
+    sleep 0.5
+    xdotool mouseup 1
+    sleep 0.7
+}
+choose() { # X Y: an item of the menu
+    xdotool mousemove "$1" "$2"
+    sleep 0.5
+    xdotool mousedown 1
+    sleep 0.5
+    xdotool mouseup 1
+    sleep 0.7
+}
+saved=0
+save() { # the drawing so far, in sketch.N
+    saved=$((saved + 1))
+    xdotool key s
+    until_true 20 sh -c "[ \$(grep -c 'sketch: end' sketch.text) -ge $saved ]"
+    awk -v n=$saved '/sketch: begin/ { k++ } k == n { print } /sketch: end/ && k == n { exit }' sketch.text |
+        tr -d '\r' >"sketch.$saved"
+}
+count() { # WORD: statements of it in the last drawing
+    grep -c "^$1 " "sketch.$saved"
+}
+pull 100 200 300 350
+save
+[ "$(count line)" = 1 ]
+report $? "sketch: a line is drawn"
+choose 541 67 # Circle
+pull 300 150 340 150
+save
+[ "$(count line)" = 1 ] && [ "$(count circle)" = 1 ]
+report $? "sketch: the menu's circle is drawn"
+choose 541 252 # Undo
+save
+[ "$(count line)" = 1 ] && [ "$(count circle)" = 0 ]
+report $? "sketch: the menu undoes it"
+xdotool key m # Move
+sleep 0.7
+pull 300 350 400 250
+save
+[ "$(count line)" = 1 ] && ! cmp -s sketch.3 sketch.4
+report $? "sketch: its end is picked and dragged"
+over sketch
+"$KINESCOPE" run "$roms/sketch.elf" --headless --console --input sketch.script --for 60s </dev/null 2>/dev/null |
+    tr -d '\r' >again.text
+tr -d '\r' <sketch.text | cmp - again.text
+report $? "sketch: done again headless it prints the same"
+
 grep -q 'pictures showed what was done' late
 report $? "--latency says how late hands were seen: $(cat late)"
 [ ! -s log ] || sed 's/^/# /' log
