@@ -1,0 +1,39 @@
+/* waveform.h — what a photodiode saw over some time, as samples and as figures.
+ *
+ * Models:     nothing. Samples are luminances at instants; figures come from the closed form between deposits,
+ *             not from the samples: mean and harmonics by integration, peak and least at the ends of deposits,
+ *             the flicker index (area above the mean / total area) by root-finding on each stretch between
+ *             deposits. A window of whole periods is wanted for harmonics: see hz.
+ * Units:      ps, Hz, cd/m²; percent flicker 0…100, c_n 0…2 (amplitude of the n-th harmonic over the mean),
+ *             flicker index 0…1.
+ * Source:     definitions as in IES RP-16 (percent flicker, flicker index).
+ * Ownership:  samples belong to the caller.
+ * Errors:     figures of darkness: mean 0, and the others NaN.
+ */
+#ifndef CRT_WAVEFORM_H
+#define CRT_WAVEFORM_H
+
+#include "crt/photodiode.h"
+
+#define CRT_HARMONICS 8
+
+struct crt_waveform_figures {
+    double mean_cd_m2, peak_cd_m2, least_cd_m2;
+    double hz;               /* of the fundamental: as given */
+    double c[CRT_HARMONICS]; /* c[0] is C1 */
+    double percent_flicker, flicker_index;
+    double
+        persistence_10_s; /* from the highest peak until a tenth of it is left without new light, by the
+                                 glow that follows it; measured: the sum of the stored terms then, decaying */
+    double peak_t_s;      /* of the highest peak, seconds after t0 */
+};
+
+/* Over [t0, t1) within what the diode has. `hz` > 0. */
+void crt_waveform_measure(struct crt_photodiode *diode, uint64_t t0, uint64_t t1, double hz,
+                          struct crt_waveform_figures *figures);
+
+/* How often the light repeats at that place: the rate at which deposits of the same source come again, as the median of
+ * their intervals over the window, weighted by light; 0 when nothing comes again. */
+double crt_waveform_repeats_hz(const struct crt_photodiode *diode, uint64_t t0, uint64_t t1);
+
+#endif
