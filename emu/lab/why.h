@@ -29,11 +29,17 @@
 #include "emu/rig.h"
 #include "emu/saved.h"
 
-/* Head units: of the vector head from the bottom left, of the raster head dots from the top left. */
+/* A place on a head's glass: millimetres from the middle, y up; and in head units, of the vector head
+ * from the bottom left, of the raster head dots from the top left. */
 struct vm_why_place {
     enum vm_head head;
-    double x, y;
+    double x, y, x_mm, y_mm;
 };
+
+/* From head units, or from millimetres, as the machine's heads are set up now. */
+struct vm_why_place vm_why_at(const struct vm_machine *m, enum vm_head head, double x, double y);
+struct vm_why_place vm_why_at_mm(const struct vm_machine *m, enum vm_head head, double x_mm,
+                                 double y_mm);
 
 /* A store of the processor. */
 struct vm_why_store {
@@ -72,21 +78,21 @@ struct vm_why_deposit {
 
 struct vm_why {
     struct vm_why_place place;
-    double x_mm, y_mm; /* of the place, from the screen's middle */
-    uint64_t t;        /* when one looks */
-    uint64_t from;     /* what came before is `older` */
-    bool power_on;     /* `from` is when the machine was switched on: nothing came before */
-    bool stores;       /* there is a processor, whose stores were recorded */
-    bool recording;    /* the strokes are of a recording: there are no words */
-    double luminance;  /* cd/m² */
-    double older;      /* of it, of light from before `from` */
+    uint64_t t;       /* when one looks */
+    uint64_t from;    /* what came before is `older` */
+    bool power_on;    /* `from` is when the machine was switched on: nothing came before */
+    bool stores;      /* there is a processor, whose stores were recorded */
+    bool recording;   /* the strokes are of a recording: there are no words */
+    double luminance; /* cd/m² */
+    double older;     /* of it, of light from before `from` */
     struct vm_why_deposit
         *deposit; /* in order of t0; their shares and `older` sum to `luminance` */
     size_t count;
-    /* What came nearest lately, whether or not it lights the place. */
-    bool near;
-    struct vm_why_deposit nearest; /* fluence and share are 0 when it gives none */
-    double nearest_mm;             /* from the place to the middle of its beam */
+    /* Of the last tenth of a second, or the last refresh if that is longer: the lit beam that came
+     * nearest, and on the raster head what the line nearest to the place had there, lit or not. */
+    bool near, passed;
+    struct vm_why_deposit nearest, at_place; /* without fluence and share */
+    double nearest_mm;                       /* from the place to the middle of the beam */
 };
 
 struct vm_why_desc {
