@@ -76,6 +76,8 @@ struct vm_why_deposit {
     struct vm_why_store store;
 };
 
+#define VM_WHY_LATELY (CRT_PS_PER_S / 10)
+
 struct vm_why {
     struct vm_why_place place;
     uint64_t t;       /* when one looks */
@@ -88,7 +90,7 @@ struct vm_why {
     struct vm_why_deposit
         *deposit; /* in order of t0; their shares and `older` sum to `luminance` */
     size_t count;
-    /* Of the last tenth of a second, or the last refresh if that is longer: the lit beam that came
+    /* Of the last VM_WHY_LATELY: the lit beam that came
      * nearest, and on the raster head what the line nearest to the place had there, lit or not. */
     bool near, passed;
     struct vm_why_deposit nearest, at_place; /* without fluence and share */
