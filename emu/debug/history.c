@@ -261,12 +261,27 @@ bool vm_history_rewind(struct vm_history *h, uint64_t cycle)
     return i > 0 && recall(h, i - 1, &err);
 }
 
-bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err)
+/* The last snapshot at or before t, but none from before the last mark. */
+static size_t at_or_before(const struct vm_history *h, uint64_t t)
 {
-    if (h->count == 0)
-        return nothing(err);
     size_t i = h->count - 1;
     while (i > 0 && h->at[i].place.now > t && !h->at[i].marked)
         i--;
-    return recall(h, i, err);
+    return i;
+}
+
+bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err)
+{
+    return h->count == 0 ? nothing(err) : recall(h, at_or_before(h, t), err);
+}
+
+const uint8_t *vm_history_snapshot(const struct vm_history *h, uint64_t t, size_t *size,
+                                   uint64_t *taken)
+{
+    if (h->count == 0)
+        return NULL;
+    const struct memory *snapshot = &h->at[at_or_before(h, t)];
+    *size = snapshot->size;
+    *taken = snapshot->place.now;
+    return snapshot->bytes;
 }

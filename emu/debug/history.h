@@ -62,6 +62,11 @@ bool vm_history_rewind(struct vm_history *h, uint64_t cycle);
  * himself. */
 bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err);
 
+/* The snapshot that vm_history_recall would restore, without restoring it: bytes for vm_rig_state, valid
+ * until the history changes, and when it was taken, ps. NULL: nothing is remembered. */
+const uint8_t *vm_history_snapshot(const struct vm_history *h, uint64_t t, size_t *size,
+                                   uint64_t *taken);
+
 /* How much is remembered. */
 struct vm_history_extent {
     size_t snapshots, bytes;
