@@ -17,6 +17,7 @@
 
 #include "emu/debug/gdb_server.h"
 #include "emu/debug/gdb_past.h"
+#include "emu/calm.h"
 #include "emu/debug/history.h"
 #include "emu/hud.h"
 #include "emu/frame.h"
@@ -24,6 +25,7 @@
 #include "emu/picture.h"
 #include "emu/roms.h"
 #include "emu/saved.h"
+#include "emu/sliding.h"
 #include "emu/terminal.h"
 #include "emu/view.h"
 #include "emu/window.h"
@@ -37,6 +39,8 @@ struct vm_show_desc {
     struct vm_size size; /* 0: fits the monitor */
     bool full_screen;
     double scale;          /* simulated seconds a second */
+    uint64_t shutter;      /* ps; 0: the time that a picture stands for */
+    bool no_flash;         /* mean light, nothing that flashes */
     struct vm_time length; /* close after this much simulated time, when given */
     bool console;          /* firmware's console is stdin and stdout */
     const struct vm_saved_options *saved;
@@ -49,7 +53,15 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err);
 
 /* ---- shared by the files of the show; nobody else uses what follows ----------------------- */
 
-enum vm_knob { VM_KNOB_BRIGHTNESS, VM_KNOB_CONTRAST, VM_KNOB_FOCUS };
+enum vm_knob { /* what Up and Down turn; the first three are the monitors' */
+               VM_KNOB_BRIGHTNESS,
+               VM_KNOB_CONTRAST,
+               VM_KNOB_FOCUS,
+               VM_KNOB_SHUTTER,
+               VM_KNOB_GAIN
+};
+
+#define VM_SHUTTER_MOST CRT_PS_PER_S
 
 /* What belongs to one program; its parts point at each other, so it stays where it was made. */
 struct vm_shown {
@@ -57,10 +69,14 @@ struct vm_shown {
     struct vm_settings settings;
     struct vm_lights lights;
     struct vm_rig rig;
-    struct vm_frame frame;
-    struct vm_history *history; /* NULL: no memory for it, or there is nothing to step by */
-    struct vm_gdb_past past;    /* a debugger's way to it */
-    uint64_t from;              /* when the show of it began: later than 0 with --load-state */
+    struct vm_frame frame;         /* what was gathered last */
+    struct vm_frame piece;         /* of a long exposure: its last step */
+    struct vm_sliding *sliding;    /* NULL: none so far */
+    struct vm_calm *calm;          /* with desc->no_flash; NULL: none so far */
+    const struct vm_frame *calmed; /* what it shows */
+    struct vm_history *history;    /* NULL: no memory for it, or there is nothing to step by */
+    struct vm_gdb_past past;       /* a debugger's way to it */
+    uint64_t from;                 /* when the show of it began: later than 0 with --load-state */
 };
 
 struct vm_show {
@@ -89,6 +105,10 @@ struct vm_show {
     enum vm_unit unit;         /* of steps */
     double speed, speed_since; /* measured: simulated seconds a second */
     uint64_t speed_from;
+
+    uint64_t shutter; /* ps; 0: the time that a picture stands for */
+    bool gain_auto;   /* goes down as exposures get short */
+    int gain;         /* power of two, when not */
 
     struct crt_knobs knobs;
     enum vm_knob knob;
@@ -134,10 +154,32 @@ bool vm_show_tour(struct vm_show *show, int step, struct crt_error *err);
 
 /* show_draw.c: the frame to the glasses; both to the window; a picture of the window. */
 void vm_show_develop(struct vm_show *show);
+void vm_show_upload(
+    struct vm_show *show); /* of vm_show_frame(); without looking which view it is */
 void vm_show_draw(struct vm_show *show, double now);
 bool vm_show_picture(struct vm_show *show, struct crt_image *image, struct crt_error *err);
 /* F2: the next view. */
 void vm_show_next_view(struct vm_show *show);
+
+/* show.c: runs the machine to `until`, or as far as a debugger lets it. */
+void vm_show_run(struct vm_show *show, uint64_t until);
+
+/* show_shutter.c: runs to `until` and has the light that falls within the shutter's time before it shown. */
+void vm_show_expose(struct vm_show *show, uint64_t until);
+/* How long a picture of one instant gathers light. */
+uint64_t vm_show_exposure(const struct vm_show *show);
+/* What is shown: what was gathered, or without flashes. And that it has been looked at for `seconds`. */
+const struct vm_frame *vm_show_frame(const struct vm_show *show);
+void vm_show_calm(struct vm_show *show, double seconds);
+void vm_show_turn_shutter(struct vm_show *show, int direction);
+void vm_show_say_shutter(struct vm_show *show);
+/* The head looked at, of two the vector head. */
+int vm_show_main_head(const struct vm_show *show);
+/* Of what a head shows: a power of two; as "x1/32". */
+int vm_show_gain(const struct vm_show *show, int head);
+void vm_show_describe_gain(int gain, char *text, size_t size);
+void vm_show_toggle_gain(struct vm_show *show);
+void vm_show_turn_gain(struct vm_show *show, int direction);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
 /* show_hands.c: a mouse's or key's event becomes what a person does; after the last of a frame, flush. */

@@ -21,7 +21,9 @@ static const char *const help[] = {
     "F12\tscreenshot",
     "Right Ctrl with",
     "B C F\tchoose brightness, contrast or focus",
-    "Up Down\tturn the chosen knob",
+    "E\tchoose the shutter: auto, 1 us to 1 s",
+    "G\tgain that follows the shutter, or as bright as it is",
+    "Up Down\tturn what was chosen",
     "0\tall knobs neutral",
     "Left Right\tstep back, step forward, and pause",
     "W\tchoose what steps are: a refresh, a display word, an instruction",
@@ -106,7 +108,7 @@ static void set_knobs(struct vm_show *show)
             vm_show_turn(show, (enum vm_head)h);
 }
 
-static void turn_knob(struct vm_show *show, int direction)
+static void turn_monitor(struct vm_show *show, int direction)
 {
     static const double steps[] = {0.02, 0.05, 0.1}, low[] = {-1, 0, 0}, high[] = {1, 4, 4};
     const char *name;
@@ -120,9 +122,22 @@ static void turn_knob(struct vm_show *show, int direction)
     say_knob(show);
 }
 
+static void turn_knob(struct vm_show *show, int direction)
+{
+    if (show->knob == VM_KNOB_SHUTTER)
+        vm_show_turn_shutter(show, direction);
+    else if (show->knob == VM_KNOB_GAIN)
+        vm_show_turn_gain(show, direction);
+    else
+        turn_monitor(show, direction);
+}
+
 static void reset_knobs(struct vm_show *show)
 {
     show->knobs = (struct crt_knobs){0, 1, 0};
+    show->shutter = 0;
+    show->gain = 0;
+    show->gain_auto = false;
     show->knobs_touched = true;
     set_knobs(show);
     vm_show_mark(show);
@@ -147,7 +162,7 @@ static void screenshot(struct vm_show *show)
     bool ok = vm_show_picture(show, &image, &err);
     if (ok) {
         ok = vm_picture_write(name, &image, show->program->input.name, &show->program->settings,
-                              show->view_drawn, &show->program->frame, &err);
+                              show->view_drawn, vm_show_frame(show), &err);
         crt_image_free(&image);
     }
     snprintf(text, sizeof text, "screenshot %s", name);
@@ -174,6 +189,14 @@ static void chord(struct vm_show *show, enum vm_key key)
                      : key == 'C' ? VM_KNOB_CONTRAST
                                   : VM_KNOB_FOCUS;
         say_knob(show);
+        break;
+    case 'E':
+        show->knob = VM_KNOB_SHUTTER;
+        vm_show_say_shutter(show);
+        break;
+    case 'G':
+        show->knob = VM_KNOB_GAIN;
+        vm_show_toggle_gain(show);
         break;
     case VM_KEY_UP:
     case VM_KEY_DOWN:

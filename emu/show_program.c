@@ -60,6 +60,9 @@ void vm_show_close(struct vm_shown *program)
 {
     if (!program)
         return;
+    vm_calm_destroy(program->calm);
+    vm_sliding_destroy(program->sliding);
+    vm_frame_free(&program->piece);
     vm_frame_free(&program->frame);
     vm_history_destroy(program->history);
     vm_rig_close(&program->rig);

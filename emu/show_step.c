@@ -56,14 +56,14 @@ static bool forward(struct vm_show *show, struct crt_error *err)
     return came || crt_fail(err, "no %s within a second of simulated time", unit_names[show->unit]);
 }
 
-/* Goes to `place`, which is past or present, once more, with the light of the tick that ends there on
- * film. */
+/* Goes to `place`, which is past or present, once more, with the light of the shutter's time, or
+ * of the tick, that ends there on film. */
 static bool expose(struct vm_show *show, const struct place *place, struct crt_error *err)
 {
     struct vm_shown *p = show->program;
     struct vm_machine *m = p->rig.machine;
-    uint64_t tick = vm_view_exposure(vm_view_now(show->view, m), m);
-    uint64_t from = place->now > tick ? place->now - tick : 0;
+    uint64_t exposure = vm_show_exposure(show);
+    uint64_t from = place->now > exposure ? place->now - exposure : 0;
     if (!vm_history_recall(p->history, from, err))
         return false;
     if (from > m->now)
