@@ -63,6 +63,9 @@ enum vm_knob { /* what Up and Down turn; the first three are the monitors' */
 
 #define VM_SHUTTER_MOST CRT_PS_PER_S
 
+/* When it is shown where the beam is. */
+enum vm_where_shown { VM_WHERE_SLOW, VM_WHERE_ALWAYS, VM_WHERE_NEVER };
+
 /* What belongs to one program; its parts point at each other, so it stays where it was made. */
 struct vm_shown {
     struct vm_input input;
@@ -109,6 +112,8 @@ struct vm_show {
     uint64_t shutter; /* ps; 0: the time that a picture stands for */
     bool gain_auto;   /* goes down as exposures get short */
     int gain;         /* power of two, when not */
+
+    enum vm_where_shown where;
 
     struct crt_knobs knobs;
     enum vm_knob knob;
@@ -166,7 +171,8 @@ void vm_show_run(struct vm_show *show, uint64_t until);
 
 /* show_shutter.c: runs to `until` and has the light that falls within the shutter's time before it shown. */
 void vm_show_expose(struct vm_show *show, uint64_t until);
-/* How long a picture of one instant gathers light. */
+/* How long the picture after a step gathers light: the shutter's time; else a tick, in slow motion as much less, so
+ * that after small steps the same is seen as in between. */
 uint64_t vm_show_exposure(const struct vm_show *show);
 /* What is shown: what was gathered, or without flashes. And that it has been looked at for `seconds`. */
 const struct vm_frame *vm_show_frame(const struct vm_show *show);
@@ -181,10 +187,30 @@ void vm_show_describe_gain(int gain, char *text, size_t size);
 void vm_show_toggle_gain(struct vm_show *show);
 void vm_show_turn_gain(struct vm_show *show, int direction);
 
+/* show_where.c: the window pixel at which a place on a head's screen is shown, and the scale there; false: it
+ * is not. */
+bool vm_show_window_place(const struct vm_show *show, int head, double x_mm, double y_mm, double *x,
+                          double *y, double *mm_per_pixel);
+/* At rest, or so slow that an eye can follow the beam. */
+bool vm_show_is_slow(const struct vm_show *show);
+/* The mark at the beam's place; lines for the status, each after a line feed; the time with the digits that
+ * move; Right Ctrl M. */
+void vm_show_mark_beam(struct vm_show *show);
+void vm_show_describe_where(const struct vm_show *show, char *text, size_t size);
+void vm_show_describe_time(const struct vm_show *show, char *text, size_t size);
+void vm_show_next_where(struct vm_show *show);
+
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
 /* show_hands.c: a mouse's or key's event becomes what a person does; after the last of a frame, flush. */
 void vm_show_hand_event(struct vm_show *show, const struct vm_event *event);
 void vm_show_hand_flush(struct vm_show *show);
+/* Which screen a window pixel shows, and where. */
+struct vm_spot {
+    bool on; /* a screen */
+    enum vm_head head;
+    double x_mm, y_mm; /* from its middle */
+};
+struct vm_spot vm_show_spot(const struct vm_show *show, double x, double y);
 /* F9; and for a program that has just been opened. */
 void vm_show_next_hand(struct vm_show *show);
 void vm_show_first_hand(struct vm_show *show);
@@ -205,6 +231,7 @@ void vm_show_status(struct vm_show *show, double now);
  * light of the tick that ends there is shown. */
 void vm_show_step(struct vm_show *show, int direction);
 void vm_show_next_unit(struct vm_show *show);
+void vm_show_check_unit(struct vm_show *show); /* of another program */
 /* Remembers the run as it goes; what came from outside; that it begins anew. */
 void vm_show_note(struct vm_show *show);
 void vm_show_mark(struct vm_show *show);

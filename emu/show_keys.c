@@ -26,7 +26,8 @@ static const char *const help[] = {
     "Up Down\tturn what was chosen",
     "0\tall knobs neutral",
     "Left Right\tstep back, step forward, and pause",
-    "W\tchoose what steps are: a refresh, a display word, an instruction",
+    "W\tchoose what steps are: refresh, display word, instruction, beam stroke, scan line",
+    "M\twhere the beam is, as text and mark: in slow motion, always, never",
     "S\tskip the dark time to the next refresh (for slow motion)",
     "R\tload the file again (it is loaded when it changes, too)",
     "1\treal time again",
@@ -47,7 +48,7 @@ static void set_scale(struct vm_show *show, double scale)
     show->remainder_ps = 0;
     show->speed_since = 0;
     if (show->scale < 1)
-        snprintf(text, sizeof text, "%g times slower than real time", round(1 / show->scale));
+        snprintf(text, sizeof text, "%.0f times slower than real time", 1 / show->scale);
     else
         snprintf(text, sizeof text, "%g x real time", show->scale);
     vm_show_say(show, text);
@@ -197,6 +198,9 @@ static void chord(struct vm_show *show, enum vm_key key)
     case 'G':
         show->knob = VM_KNOB_GAIN;
         vm_show_toggle_gain(show);
+        break;
+    case 'M':
+        vm_show_next_where(show);
         break;
     case VM_KEY_UP:
     case VM_KEY_DOWN:

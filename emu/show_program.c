@@ -164,8 +164,7 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
     note_time(show);
     tint_text(show);
     begin_measuring(show);
-    if (!program->rig.board && show->unit == VM_UNIT_INSTRUCTION)
-        show->unit = VM_UNIT_REFRESH;
+    vm_show_check_unit(show);
     show->step = show->paused;
     snprintf(title, sizeof title, "%s - kinescope", program->input.name);
     vm_window_set_title(show->window, title);

@@ -81,7 +81,13 @@ void vm_show_expose(struct vm_show *show, uint64_t until)
 uint64_t vm_show_exposure(const struct vm_show *show)
 {
     const struct vm_machine *m = show->program->rig.machine;
-    return show->shutter ? show->shutter : vm_view_exposure(vm_view_now(show->view, m), m);
+    if (show->shutter)
+        return show->shutter;
+    uint64_t whole = vm_view_exposure(vm_view_now(show->view, m), m);
+    if (show->unit == VM_UNIT_REFRESH || show->scale >= 1)
+        return whole;
+    double part = show->scale * (double)whole; /* as while it runs */
+    return part > 1 ? (uint64_t)part : 1;
 }
 
 /* ---- nothing flashes -----------------------------------------------------------------------------

@@ -117,7 +117,7 @@ bool vm_status_text(const struct vm_status *s, int columns, char *text, size_t s
 
 void vm_show_status(struct vm_show *show, double now)
 {
-    char text[400], time[32], scale[200], tube[64], phosphor[64];
+    char text[800], time[32], scale[200], tube[64], phosphor[64];
     int width, height;
     const struct vm_machine *m = show->program->rig.machine;
     measure_speed(show, now);
@@ -125,12 +125,7 @@ void vm_show_status(struct vm_show *show, double now)
         return;
     show->status_since = now;
     measure_rate(show);
-    /* In slow motion the digits that move are far to the right. */
-    snprintf(time, sizeof time, "%.*f s",
-             show->scale >= 0.1    ? 2
-             : show->scale >= 1e-3 ? 5
-                                   : 8,
-             (double)m->now / (double)CRT_PS_PER_S);
+    vm_show_describe_time(show, time, sizeof time);
     describe_scale(show, scale, 64);
     describe_exposure(show, scale + strlen(scale), sizeof scale - strlen(scale));
     describe_tubes(show, tube, phosphor, sizeof tube);
@@ -143,6 +138,7 @@ void vm_show_status(struct vm_show *show, double now)
                                      .rate_hz = show->rate_hz,
                                      .words = m->refreshes.last.words};
     vm_window_size(show->window, &width, &height);
-    vm_status_text(&status, vm_hud_columns(width, height), text, sizeof text);
+    vm_status_text(&status, vm_hud_columns(width, height), text, 400);
+    vm_show_describe_where(show, text + strlen(text), sizeof text - strlen(text));
     vm_hud_status(show->hud, text);
 }
