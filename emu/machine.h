@@ -122,9 +122,8 @@ struct vm_machine {
     uint64_t tick_time;                /* of the next one */
     uint64_t strokes, lit, last_light; /* pieces drawn; beam-on time; end of the last piece */
     uint64_t stops, last_stop;         /* stop words executed; when the last was done */
-    /* The last strokes delivered, by their number modulo that; for steps, and for where the beam is. No part
-     * of the state: what was loaded begins with none. */
-    struct crt_stroke drawn[VM_STROKES_KEPT];
+    uint64_t
+        ends[VM_STROKES_KEPT]; /* of the last strokes, by their number modulo that; for steps */
     uint64_t bells;
     uint64_t marks; /* marks set by the program */
     uint32_t mark;  /* the last one's number */

@@ -6,8 +6,8 @@ static uint64_t next_end(const struct vm_machine *m)
 {
     uint64_t first = VM_NEVER;
     for (int i = 0; i < VM_STROKES_KEPT; i++)
-        if (m->drawn[i].t1 > m->now && m->drawn[i].t1 < first)
-            first = m->drawn[i].t1;
+        if (m->ends[i] > m->now && m->ends[i] < first)
+            first = m->ends[i];
     return first;
 }
 
