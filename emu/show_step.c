@@ -116,7 +116,7 @@ static unsigned long long strokes_over(const struct vm_machine *m)
 {
     uint64_t coming = 0;
     for (int i = 0; i < VM_STROKES_KEPT; i++)
-        coming += m->drawn[i].t1 > m->now;
+        coming += m->recent[i].t1 > m->now;
     return (unsigned long long)(m->strokes - coming);
 }
 

@@ -12,7 +12,7 @@ static const struct crt_stroke *stroke_at(const struct vm_machine *m, uint64_t t
 {
     const struct crt_stroke *best = NULL;
     for (int i = 0; i < VM_STROKES_KEPT; i++) {
-        const struct crt_stroke *s = &m->drawn[i];
+        const struct crt_stroke *s = &m->recent[i];
         if (s->t1 > t && (!best || s->t0 < best->t0))
             best = s;
     }

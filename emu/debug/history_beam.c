@@ -22,8 +22,8 @@ static uint64_t known_end(const struct vm_machine *m, uint64_t t)
 {
     uint64_t last = 0;
     for (int i = 0; i < VM_STROKES_KEPT; i++)
-        if (m->drawn[i].t1 < t && m->drawn[i].t1 > last)
-            last = m->drawn[i].t1;
+        if (m->recent[i].t1 < t && m->recent[i].t1 > last)
+            last = m->recent[i].t1;
     return last;
 }
 
