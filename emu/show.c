@@ -271,6 +271,7 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
         show->desc = desc;
         show->scale = desc->scale;
         show->shutter = desc->shutter;
+        show->no_flash = desc->no_flash;
         show->rom = -1;
         show->unit = VM_UNIT_REFRESH;
         show->touring = desc->path == NULL;
@@ -280,7 +281,7 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
     if (ok)
         ok = show->touring ? vm_show_tour(show, 1, err) : vm_show_open(show, desc->path, NULL, err);
     if (ok) {
-        vm_show_say(show, "F1 help");
+        vm_show_welcome(show);
         show->recording = desc->record != NULL;
         show->last_time = vm_window_time();
         loop(show);

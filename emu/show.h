@@ -114,6 +114,8 @@ struct vm_show {
     int gain;         /* power of two, when not */
 
     enum vm_where_shown where;
+    bool no_flash; /* the mean light of the last second is shown */
+    bool warned;   /* of flashes of this program */
 
     struct crt_knobs knobs;
     enum vm_knob knob;
@@ -199,6 +201,15 @@ void vm_show_mark_beam(struct vm_show *show);
 void vm_show_describe_where(const struct vm_show *show, char *text, size_t size);
 void vm_show_describe_time(const struct vm_show *show, char *text, size_t size);
 void vm_show_next_where(struct vm_show *show);
+
+/* show_honest.c: at the start; once the rate is known; Right Ctrl L. */
+void vm_show_welcome(struct vm_show *show);
+void vm_show_warn(struct vm_show *show);
+void vm_show_toggle_flash(struct vm_show *show);
+/* How often a second a monitor of `host` Hz flashes, between 3 and 30 Hz, when it shows a screen lit
+ * `refresh_hz` times a second so much slower; shutter 0: as long as a picture stands for. 0: it does not. */
+double vm_show_flash_hz(const struct crt_phosphor *phosphor, double refresh_hz, double scale,
+                        double shutter_s, double host);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
 /* show_hands.c: a mouse's or key's event becomes what a person does; after the last of a frame, flush. */

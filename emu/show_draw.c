@@ -29,7 +29,7 @@ void vm_show_upload(struct vm_show *show)
 void vm_show_develop(struct vm_show *show)
 {
     show->view_drawn = vm_view_now(show->view, show->program->rig.machine);
-    if (!show->desc->no_flash)
+    if (!show->no_flash)
         vm_show_upload(show);
 }
 

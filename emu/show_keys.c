@@ -28,6 +28,7 @@ static const char *const help[] = {
     "Left Right\tstep back, step forward, and pause",
     "W\tchoose what steps are: refresh, display word, instruction, beam stroke, scan line",
     "M\twhere the beam is, as text and mark: in slow motion, always, never",
+    "L\tmean light of the last second: nothing flashes",
     "S\tskip the dark time to the next refresh (for slow motion)",
     "R\tload the file again (it is loaded when it changes, too)",
     "1\treal time again",
@@ -201,6 +202,9 @@ static void chord(struct vm_show *show, enum vm_key key)
         break;
     case 'M':
         vm_show_next_where(show);
+        break;
+    case 'L':
+        vm_show_toggle_flash(show);
         break;
     case VM_KEY_UP:
     case VM_KEY_DOWN:

@@ -127,7 +127,7 @@ static void begin_measuring(struct vm_show *show)
 {
     show->remainder_ps = show->rate_hz = show->speed = show->speed_since = 0;
     show->rate_number = show->rate_end = show->speed_from = 0;
-    show->trouble_shown = false;
+    show->trouble_shown = show->warned = false;
 }
 
 /* A record is of one program. */

@@ -96,14 +96,14 @@ uint64_t vm_show_exposure(const struct vm_show *show)
 const struct vm_frame *vm_show_frame(const struct vm_show *show)
 {
     const struct vm_shown *p = show->program;
-    return show->desc->no_flash && p->calmed ? p->calmed : &p->frame;
+    return show->no_flash && p->calmed ? p->calmed : &p->frame;
 }
 
 void vm_show_calm(struct vm_show *show, double seconds)
 {
     struct vm_shown *p = show->program;
     struct crt_error err;
-    if (!show->desc->no_flash || !show->film_ready)
+    if (!show->no_flash || !show->film_ready)
         return;
     if (!p->calm && !(p->calm = vm_calm_create(&p->rig, &err))) {
         vm_show_say(show, err.text);

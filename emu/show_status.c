@@ -55,7 +55,7 @@ static void describe_exposure(const struct vm_show *show, char *text, size_t siz
         snprintf(shutter, sizeof shutter, "  shutter %s", time);
     if (g || show->gain_auto)
         snprintf(gain, sizeof gain, "  gain %s", factor);
-    snprintf(text, size, "%s%s%s", shutter, gain, show->desc->no_flash ? "  no flash" : "");
+    snprintf(text, size, "%s%s%s", shutter, gain, show->no_flash ? "  no flash" : "");
 }
 
 static const char *describe_state(const struct vm_machine *m)
@@ -125,6 +125,7 @@ void vm_show_status(struct vm_show *show, double now)
         return;
     show->status_since = now;
     measure_rate(show);
+    vm_show_warn(show);
     vm_show_describe_time(show, time, sizeof time);
     describe_scale(show, scale, 64);
     describe_exposure(show, scale + strlen(scale), sizeof scale - strlen(scale));
