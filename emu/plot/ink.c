@@ -250,17 +250,15 @@ void vm_ink_to(struct vm_ink *ink, struct vm_ink_pen *pen, double x, double y)
     pen->down = true;
 }
 
-bool vm_ink_blank(const struct vm_ink *ink, struct vm_rect box)
+double vm_ink_covered(const struct vm_ink *ink, struct vm_rect box, double enough)
 {
-    int x0 = whole(floor(box.x0), 0, ink->image->width),
-        x1 = whole(ceil(box.x1), 0, ink->image->width);
-    int y0 = whole(floor(box.y0), 0, ink->image->height);
-    int y1 = whole(ceil(box.y1), 0, ink->image->height);
-    for (int y = y0; y < y1; y++)
+    int x0 = whole(floor(box.x0), ink->bx0, ink->bx1), x1 = whole(ceil(box.x1), ink->bx0, ink->bx1);
+    int y0 = whole(floor(box.y0), ink->by0, ink->by1), y1 = whole(ceil(box.y1), ink->by0, ink->by1);
+    double sum = 0;
+    for (int y = y0; y < y1 && sum < enough; y++)
         for (int x = x0; x < x1; x++)
-            if (row_of(ink, y)[x] > 0)
-                return false;
-    return true;
+            sum += row_of(ink, y)[x];
+    return sum;
 }
 
 /* ---- spread ----------------------------------------------------------------------------------- */
