@@ -127,8 +127,10 @@ static bool arrange(struct table *t, enum vm_plot_style style, struct vm_size si
         t->pad = 0.7 * look.type.size;
         rows_around(t, size);
         cells_within(t, size);
-        if (t->row.size >= LEGIBLE && (!texts || t->cell.size >= LEGIBLE) && t->cell_w >= LEGIBLE &&
-            (!t->turned || t->cell_w >= look.type.size))
+        /* Letters around the table that dwarf those in it take its room. */
+        bool balanced = t->row.size >= 0.6 * look.type.size || share < 0.6;
+        if (balanced && t->row.size >= LEGIBLE && (!texts || t->cell.size >= LEGIBLE) &&
+            t->cell_w >= LEGIBLE && (!t->turned || t->cell_w >= look.type.size))
             return true;
     }
     return false;

@@ -78,23 +78,30 @@ static bool legend_within(struct vm_sheet *sheet, struct vm_place *place)
     return false;
 }
 
-/* Place k of a mark's word; false when there are no more. */
+/* Place k of a mark's word; false when there are no more. Beside a vertical line: level in the upper third, turned along
+ * the line, level further down. */
+#define UPPER  8
+#define TURNED 24
 static bool candidate(const struct vm_look *look, const struct vm_place *place,
-                      const struct vm_plot_mark *mark, int k, struct vm_rect *box)
+                      const struct vm_plot_mark *mark, int k, struct vm_rect *box, bool *turned)
 {
-    double t = look->type.size, gap = 0.45 * t,
+    double t = look->type.size, gap = 0.4 * t,
            at = vm_scale_place(mark->vertical ? &place->x : &place->y, mark->at);
     double width = vm_text_width(look->type, mark->label) + 0.4 * t, height = 1.2 * t;
     struct vm_rect in = place->box;
-    if (mark->vertical) { /* right and left of the line, from the top down */
-        double y = in.y0 + gap + (k / 2) * 0.5 * height, x = k % 2 ? at - gap - width : at + gap;
+    *turned = mark->vertical && k >= UPPER && k < TURNED;
+    if (!mark->vertical) {
+        double x = in.x1 - gap - width - (k / 2) * 0.5 * t,
+               y = k % 2 ? at + 0.15 * t : at - 0.15 * t - height;
         *box = (struct vm_rect){x, y, x + width, y + height};
-        return y + height <= in.y1;
+        return x >= in.x0;
     }
-    double x = in.x1 - gap - width - (k / 2) * 0.5 * t,
-           y = k % 2 ? at + 0.15 * t : at - 0.15 * t - height;
-    *box = (struct vm_rect){x, y, x + width, y + height};
-    return x >= in.x0;
+    int row = (k < UPPER ? k : *turned ? k - UPPER : k - TURNED + UPPER) / 2;
+    double y = in.y0 + gap + row * (*turned ? 1.0 : 0.5) * height,
+           across = *turned ? height : width;
+    double down = *turned ? width : height, x = k % 2 ? at - gap - across : at + gap;
+    *box = (struct vm_rect){x, y, x + across, y + down};
+    return k < TURNED || y + down <= in.y1;
 }
 
 static bool taken(const struct vm_place *place, int marks, struct vm_rect box)
@@ -121,21 +128,23 @@ static void place_word(struct vm_sheet *sheet, struct vm_place *place, int i)
     if (!(at >= low - 1 && at <= high + 1))
         return;
     double least = 1e30;
-    for (int k = 0; least > 0 && candidate(&sheet->look, place, mark, k, &box); k++) {
+    bool turned;
+    for (int k = 0; least > 0 && candidate(&sheet->look, place, mark, k, &box, &turned); k++) {
         if (!inside(box, place->box) || taken(place, i, box))
             continue;
         double hidden = vm_ink_covered(&sheet->ink, box, least);
         if (hidden < least) {
             least = hidden;
             place->word[i] = box;
+            place->turned[i] = turned;
         }
     }
 }
 
 static void cover_mark(struct vm_sheet *sheet, const struct vm_place *place,
-                       const struct vm_plot_mark *mark)
+                       const struct vm_plot_mark *mark, bool dashed)
 {
-    struct vm_ink_pen pen = vm_curve_pen(sheet->look.line * 1.4, 1);
+    struct vm_ink_pen pen = vm_curve_pen(sheet->look.line * 1.4, dashed);
     double at = vm_scale_place(mark->vertical ? &place->x : &place->y, mark->at);
     struct vm_rect in = place->box;
     vm_ink_to(&sheet->ink, &pen, mark->vertical ? at : in.x0, mark->vertical ? in.y0 : at);
@@ -153,7 +162,7 @@ bool vm_legend_place(struct vm_sheet *sheet, struct vm_place *place)
             vm_curve_cover_area(&sheet->ink, &panel->series[i], &place->x, &place->y);
     }
     for (int i = 0; i < panel->mark_count; i++)
-        cover_mark(sheet, place, &panel->mark[i]);
+        cover_mark(sheet, place, &panel->mark[i], false);
     bool ok = place->strip > 0 || legend_within(sheet, place);
     for (int i = 0; i < panel->mark_count; i++)
         place_word(sheet, place, i);
@@ -260,7 +269,7 @@ void vm_legend_draw(struct vm_sheet *sheet, const struct vm_place *place)
 void vm_marks_draw(struct vm_sheet *sheet, const struct vm_place *place)
 {
     for (int i = 0; i < place->panel->mark_count; i++) {
-        cover_mark(sheet, place, &place->panel->mark[i]);
+        cover_mark(sheet, place, &place->panel->mark[i], true);
         vm_ink_spread(&sheet->ink, sheet->look.text, 1);
     }
 }
@@ -274,10 +283,13 @@ void vm_mark_words_draw(struct vm_sheet *sheet, const struct vm_place *place)
         if (!(box.x1 > box.x0))
             continue;
         vm_sheet_note(sheet, VM_WORD_MARK, box);
+        bool turned = place->turned[i];
+        double x = turned ? floor(box.x0 + 0.88 * t) + 0.5 : box.x0 + 0.2 * t;
+        double y = turned ? box.y1 - 0.2 * t : floor(box.y0 + 0.88 * t) + 0.5;
+        const char *label = place->panel->mark[i].label;
         /* Letters with a rim of the panel's colour, so that they can be read over grids and curves. */
-        double x = box.x0 + 0.2 * t, y = floor(box.y0 + 0.88 * t) + 0.5;
-        vm_text_cover(&sheet->ink, look->type, x, y, false, place->panel->mark[i].label, 0.16 * t);
+        vm_text_cover(&sheet->ink, look->type, x, y, turned, label, 0.16 * t);
         vm_ink_spread(&sheet->ink, look->panel, 1);
-        vm_text_draw(&sheet->ink, look->type, x, y, false, place->panel->mark[i].label, look->text);
+        vm_text_draw(&sheet->ink, look->type, x, y, turned, label, look->text);
     }
 }

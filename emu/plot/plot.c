@@ -27,21 +27,29 @@ static void grid_line(struct vm_sheet *sheet, struct vm_rect box, bool vertical,
     vm_ink_box(&sheet->ink, box, colour, 1);
 }
 
+/* The marked place that is nearest to the middle. */
+static double middle(const struct vm_ticks *ticks, const struct vm_scale *scale)
+{
+    double centre = (scale->from + scale->to) / 2, best = -1e9;
+    for (int i = 0; i < ticks->count; i++) {
+        double at = vm_scale_place(scale, ticks->major[i].at);
+        best = fabs(at - centre) < fabs(best - centre) ? at : best;
+    }
+    return best;
+}
+
 /* The fine divisions of an oscilloscope's graticule: short strokes across its middle lines. */
 static void graticule(struct vm_sheet *sheet, const struct vm_place *p,
                       const struct vm_ticks *along)
 {
     const struct vm_look *look = &sheet->look;
-    double x = floor((p->box.x0 + p->box.x1) / 2), y = floor((p->box.y0 + p->box.y1) / 2),
-           half = 0.22 * look->type.size;
+    double half = 0.22 * look->type.size, x = middle(along, &p->x), y = middle(&p->ticks, &p->y);
     for (int i = 0; i < along->minor_count; i++)
         grid_line(sheet, (struct vm_rect){0, y - half, 0, y + half}, true,
                   vm_scale_place(&p->x, along->minor[i]), look->fine, look->grid);
     for (int i = 0; i < p->ticks.minor_count; i++)
         grid_line(sheet, (struct vm_rect){x - half, 0, x + half, 0}, false,
                   vm_scale_place(&p->y, p->ticks.minor[i]), look->fine, look->grid);
-    grid_line(sheet, p->box, true, x, look->fine, look->grid);
-    grid_line(sheet, p->box, false, y, look->fine, look->grid);
 }
 
 static void fine_grid(struct vm_sheet *sheet, const struct vm_place *p,
