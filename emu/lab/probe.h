@@ -93,12 +93,12 @@ bool vm_probe_report(struct vm_probe *probe, uint64_t t0, uint64_t t1,
 /* The period's rate alone, Hz; 0: nothing repeats. */
 double vm_probe_hz(const struct vm_probe *probe, uint64_t t0, uint64_t t1);
 
-/* Samples: at least `hz` a second evenly from t0 (0: 2000 over the time), t1 included, and between them the
- * instants at which each deposit begins and ends, so that peaks are there. */
+/* Samples. hz > 0: evenly spaced from t0 on, before t1. hz 0: where the curve wants them, from t0 to t1: at
+ * the ends of deposits and so densely between them that straight lines are within a thousandth of it. */
 struct vm_probe_wave {
     size_t count;
     int colours;
-    double *t_s;                     /* since power-on */
+    uint64_t *t;                     /* ps since power-on */
     double *cd_m2;                   /* all colours */
     double *colour[CRT_MAX_COLOURS]; /* each */
 };
