@@ -20,14 +20,14 @@ static bool on_the_glass(const struct vm_probe *p, struct crt_error *err)
     const struct crt_tube_row *row = p->row;
     double x = row->width.value / 2 + row->border.value,
            y = row->height.value / 2 + row->border.value;
-    if (p->place.kind == CRT_DIODE_SCREEN || (fabs(p->x_mm) <= x && fabs(p->y_mm) <= y))
+    if (p->place.kind == CRT_DIODE_SCREEN || (fabs(p->place.x_mm) <= x && fabs(p->place.y_mm) <= y))
         return true;
     return crt_fail(
         err,
         "the place %g,%g is beside the screen: %.0f mm from its middle where the glass of "
         "%s ends at %.0f mm",
-        p->place.x, p->place.y, fabs(p->x_mm) > x ? fabs(p->x_mm) : fabs(p->y_mm), row->name,
-        fabs(p->x_mm) > x ? x : y);
+        p->place.x, p->place.y, fabs(p->place.x_mm) > x ? fabs(p->place.x_mm) : fabs(p->place.y_mm),
+        row->name, fabs(p->place.x_mm) > x ? x : y);
 }
 
 bool vm_probe_open(struct vm_probe *probe, const struct vm_rig *rig,
@@ -43,12 +43,13 @@ bool vm_probe_open(struct vm_probe *probe, const struct vm_rig *rig,
     if (!probe->tube)
         return crt_fail(err, "nobody looks at the %s head: there is no tube to probe",
                         raster ? "raster" : "vector");
-    if (place->kind != CRT_DIODE_SCREEN)
-        vm_view_place(raster ? VM_VIEW_RASTER : VM_VIEW_VECTOR, m, place->x, place->y, &probe->x_mm,
-                      &probe->y_mm);
+    if (place->kind != CRT_DIODE_SCREEN && !place->in_mm)
+        vm_view_place(raster ? VM_VIEW_RASTER : VM_VIEW_VECTOR, m, place->x, place->y,
+                      &probe->place.x_mm, &probe->place.y_mm);
     if (!on_the_glass(probe, err))
         return false;
-    struct crt_photodiode_desc desc = {place->kind, probe->x_mm, probe->y_mm, place->area_mm};
+    struct crt_photodiode_desc desc = {place->kind, probe->place.x_mm, probe->place.y_mm,
+                                       place->area_mm};
     probe->diode = crt_photodiode_open(probe->tube, &desc, err);
     return probe->diode != NULL;
 }
@@ -87,10 +88,8 @@ void vm_probe_watch(struct vm_probe *probe, const struct vm_machine *machine)
     probe->beats = n + 1;
 }
 
-void vm_probe_run(struct vm_probe *probe, struct vm_progress *progress, struct vm_machine *machine,
-                  uint64_t until)
+void vm_probe_run(struct vm_probe *probe, struct vm_machine *machine, uint64_t until)
 {
-    (void)progress;
     while (machine->now < until && vm_machine_run_refresh(machine, until))
         vm_probe_watch(probe, machine);
     if (machine->now < until)

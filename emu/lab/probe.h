@@ -26,7 +26,6 @@
 #include "crt/image.h"
 #include "crt/waveform.h"
 #include "emu/plot/plot.h"
-#include "emu/progress.h"
 #include "emu/rig.h"
 
 struct vm_probe_place {
@@ -35,6 +34,8 @@ struct vm_probe_place {
     double x,
         y; /* head units: vector head from the bottom left, raster head dots from the top left */
     double area_mm; /* diameter of a disc */
+    bool in_mm;     /* x_mm and y_mm say where; else they follow from x and y as the head is then */
+    double x_mm, y_mm;
 };
 
 /* A complete refresh, noted when it was seen. */
@@ -44,8 +45,7 @@ struct vm_probe_beat {
 #define VM_PROBE_BEATS 256
 
 struct vm_probe {
-    struct vm_probe_place place;
-    double x_mm, y_mm;
+    struct vm_probe_place place; /* in mm, too */
     struct crt_tube *tube;
     struct crt_photodiode *diode;
     const struct crt_tube_row *row;
@@ -64,9 +64,8 @@ void vm_probe_close(struct vm_probe *probe); /* also one that is all zero */
 /* Notes the machine's last complete refresh: to be called after each run of the machine, as refresh_hz is
  * what has been noted. */
 void vm_probe_watch(struct vm_probe *probe, const struct vm_machine *machine);
-/* Runs the machine, noting each refresh; `progress` may be NULL. */
-void vm_probe_run(struct vm_probe *probe, struct vm_progress *progress, struct vm_machine *machine,
-                  uint64_t until);
+/* Runs the machine, noting each refresh. */
+void vm_probe_run(struct vm_probe *probe, struct vm_machine *machine, uint64_t until);
 /* What was before t is not asked for any more: keeps memory bounded in long runs. */
 void vm_probe_forget(struct vm_probe *probe, uint64_t t);
 
