@@ -88,15 +88,24 @@ static uint64_t default_end(struct vm_machine *m, uint64_t from)
     return from + VM_SETTLED_PS;
 }
 
-/* An oscilloscope shows one refresh of the vector head, some lines of the raster head. */
-static uint64_t signals_end(struct vm_machine *m, const struct vm_probe_job *job)
+/* An oscilloscope shows one refresh of the vector head; of the raster head some lines in the middle of a
+ * frame. */
+static void find_signals(struct vm_probe_job *job, struct vm_machine *m)
 {
-    const struct ras_timing *timing = &m->raster.timing;
-    if (job->place.head == VM_RASTER)
-        return job->from + crt_tick_time(ras_line_rate(timing), LINES);
-    return vm_machine_run_refresh(m, job->from + PATIENCE)
-               ? m->now
-               : job->from + crt_tick_time(m->desc.tick, 1);
+    bool found = vm_machine_run_refresh(m, job->from + PATIENCE);
+    const struct vm_refresh *last = &m->refreshes.last;
+    if (job->place.head == VM_VECTOR) {
+        job->to = found ? last->end : job->from + crt_tick_time(m->desc.tick, 1);
+        if (found && !job->o.from.given && !job->o.moment.when)
+            job->from = last->begin;
+        return;
+    }
+    struct crt_rate lines = ras_line_rate(&m->raster.timing);
+    if (found && !job->o.from.given && !job->o.moment.when) {
+        uint64_t middle = last->begin + (last->end - last->begin) / 2, origin = m->raster.origin;
+        job->from = origin + crt_tick_time(lines, crt_tick_at(lines, middle - origin));
+    }
+    job->to = job->from + crt_tick_time(lines, LINES);
 }
 
 static int find_to(struct vm_probe_job *job, struct vm_machine *m, struct crt_error *err)
@@ -113,8 +122,10 @@ static int find_to(struct vm_probe_job *job, struct vm_machine *m, struct crt_er
         }
     } else if (input->is_recording) {
         job->to = 2 * job->from;
+    } else if (job->signals) {
+        find_signals(job, m);
     } else {
-        job->to = job->signals ? signals_end(m, job) : default_end(m, job->from);
+        job->to = default_end(m, job->from);
     }
     return VM_EXIT_OK;
 }

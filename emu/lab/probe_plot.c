@@ -7,24 +7,37 @@
 
 #define REFRESHES 8 /* marks of them, at most */
 
+/* Three or four digits, never an exponent where people look: 27750, 2352, 0.0123. */
+static const char *figure(double v, char text[24])
+{
+    double a = fabs(v);
+    int decimals = a >= 1000 || a == 0 ? 0 : a >= 100 ? 1 : a >= 1 ? 2 : a >= 0.01 ? 4 : -1;
+    if (decimals < 0)
+        snprintf(text, 24, "%.2g", v);
+    else
+        snprintf(text, 24, "%.*f", decimals, v);
+    return text;
+}
+
 static void put_figures(const struct vm_probe *p, const struct vm_probe_report *r, char *text,
                         size_t size)
 {
     const struct crt_waveform_figures *f = &r->figures;
+    char mean[24], peak[24], least[24], eye[24];
     int n;
     if (r->dark) {
         snprintf(text, size, "dark");
         return;
     }
-    n = snprintf(text, size, "mean %.4g cd/m², peak %.4g, least %.3g", f->mean_cd_m2, f->peak_cd_m2,
-                 f->least_cd_m2);
+    n = snprintf(text, size, "mean %s cd/m², peak %s, least %s", figure(f->mean_cd_m2, mean),
+                 figure(f->peak_cd_m2, peak), figure(f->least_cd_m2, least));
     if (r->periods > 0)
         n += snprintf(text + n, size - (size_t)n,
-                      "; C1 %.3f, %.3g %% flicker, flicker index %.3f at %.4g Hz; fuses at %.1f Hz "
-                      "for 95 %% of viewers (%.0f° field, %.4g cd/m², %.2g mm pupil): %s",
-                      f->c[0], f->percent_flicker, f->flicker_index, f->hz, r->cff_hz,
-                      crt_fields_deg[p->viewer.field], r->eye_cd_m2, p->viewer.pupil_mm,
-                      r->flickers ? "flickers" : "steady");
+                      "; at %.4g Hz C1 %.3f, %.3g %% flicker, flicker index %.3f; steady for 95 %% "
+                      "of viewers above %.1f Hz (%.0f° field, %s cd/m², %.2g mm pupil): %s",
+                      f->hz, f->c[0], f->percent_flicker, f->flicker_index, r->cff_hz,
+                      crt_fields_deg[p->viewer.field], figure(r->eye_cd_m2, eye),
+                      p->viewer.pupil_mm, r->flickers ? "flickers" : "does not flicker");
     if (!r->settled)
         snprintf(text + n, size - (size_t)n, "; not settled");
 }
@@ -54,7 +67,7 @@ static bool draw(const struct vm_probe *p, uint64_t t0, uint64_t t1,
                  const struct vm_probe_wave *wave, const double *x, struct crt_image *image,
                  struct crt_error *err)
 {
-    char note[400], label[64], from[40], mean[40];
+    char note[400], label[64], from[40], mean[40], digits[24];
     struct vm_plot plot = {.title = look->title, .note = note, .panel_count = 1};
     struct vm_plot_panel *panel = &plot.panel[0];
     put_figures(p, r, note, sizeof note);
@@ -71,7 +84,7 @@ static bool draw(const struct vm_probe *p, uint64_t t0, uint64_t t1,
     panel->series[panel->series_count++] =
         (struct vm_plot_series){NULL, VM_PLOT_LINE, x, wave->cd_m2, wave->count, 0, false};
     if (!r->dark) {
-        snprintf(mean, sizeof mean, "mean %.3g", r->figures.mean_cd_m2);
+        snprintf(mean, sizeof mean, "mean %s", figure(r->figures.mean_cd_m2, digits));
         panel->mark[panel->mark_count++] =
             (struct vm_plot_mark){false, r->figures.mean_cd_m2, mean};
     }
