@@ -78,9 +78,9 @@ static size_t after(const struct vm_trace *trace, uint64_t t)
     return low;
 }
 
-double vm_trace_at(const struct vm_trace *trace, uint64_t t)
+/* Between entry i − 1, which is earlier, and entry i. */
+static double between(const struct vm_trace *trace, size_t i, uint64_t t)
 {
-    size_t i = after(trace, t);
     if (trace->count == 0)
         return 0;
     if (i == 0 || i == trace->count)
@@ -89,21 +89,28 @@ double vm_trace_at(const struct vm_trace *trace, uint64_t t)
     return trace->v[i - 1] + part * (trace->v[i] - trace->v[i - 1]);
 }
 
+double vm_trace_at(const struct vm_trace *trace, uint64_t t)
+{
+    return between(trace, after(trace, t), t);
+}
+
+double vm_trace_before(const struct vm_trace *trace, uint64_t t)
+{
+    return between(trace, t ? after(trace, t - 1) : 0, t);
+}
+
 /* Leaves what is from `from` to `to`, with a value at either end. */
 static void clip(struct recorder *r, struct vm_trace *trace, uint64_t from, uint64_t to)
 {
-    double first = vm_trace_at(trace, from), last = vm_trace_at(trace, to);
-    size_t begin = after(trace, from), end = after(trace, to - 1), n = 0;
+    size_t begin = after(trace, from), end = after(trace, to - 1);
     struct vm_trace kept = {0};
-    add(r, &kept, from, first);
+    add(r, &kept, from, vm_trace_at(trace, from));
     for (size_t i = begin; i < end; i++)
         add(r, &kept, trace->t[i], trace->v[i]);
-    add(r, &kept, to, last);
-    n = kept.count;
+    add(r, &kept, to, vm_trace_before(trace, to));
     free(trace->t);
     free(trace->v);
     *trace = kept;
-    trace->count = n;
 }
 
 /* ---- vector head -------------------------------------------------------------------------------- */

@@ -44,7 +44,8 @@ bool vm_signals_record(struct vm_signals *signals, struct vm_rig *rig, enum vm_h
                        uint64_t from, uint64_t to, struct crt_error *err);
 void vm_signals_free(struct vm_signals *signals);
 
-/* The value at t, at a jump that after it. */
+/* The value at t, at a jump that after it, or that before it. */
 double vm_trace_at(const struct vm_trace *trace, uint64_t t);
+double vm_trace_before(const struct vm_trace *trace, uint64_t t);
 
 #endif

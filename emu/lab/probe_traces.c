@@ -82,7 +82,7 @@ static void print_row(FILE *out, const struct table *table, uint64_t t)
         const struct column *c = &table->column[i];
         bool here = c->next < c->trace->count && c->trace->t[c->next] == t;
         putc(',', out);
-        vm_probe_number(out, here ? c->trace->v[c->next] : vm_trace_at(c->trace, t));
+        vm_probe_number(out, here ? c->trace->v[c->next] : vm_trace_before(c->trace, t));
     }
     putc('\n', out);
 }
@@ -155,12 +155,12 @@ static double *times_of(const struct vm_trace *trace, uint64_t from, struct scal
     return x;
 }
 
-/* What fails is left out: the plot then says so. */
-static bool add_series(struct vm_plot_panel *panel, const struct vm_trace *trace, const char *label,
-                       int colour, double *x)
+/* False: there was no memory for the times. */
+static bool add_series(struct vm_plot_panel *panel, const struct vm_trace *trace, int colour,
+                       const double *x)
 {
     panel->series[panel->series_count++] =
-        (struct vm_plot_series){label, VM_PLOT_LINE, x, trace->v, trace->count, colour, false};
+        (struct vm_plot_series){NULL, VM_PLOT_LINE, x, trace->v, trace->count, colour, false};
     return x != NULL;
 }
 
@@ -175,25 +175,22 @@ static struct vm_plot_panel *add_panel(struct vm_plot *plot, const char *label, 
 static bool fill(struct vm_plot *plot, const struct vm_probe_job *job, const struct vm_signals *s,
                  struct scale scale, double *x[COLUMNS])
 {
-    static const char *const names[] = {"red", "green", "blue"};
+    static const char *const guns[] = {"z red", "z green", "z blue"};
     static const int colours[] = {1, 2, 0}; /* of the palette: nearest to the guns' */
     bool ok = true;
     int n = 0;
     if (job->signals >> VM_SIGNAL_X & 1)
-        ok = add_series(add_panel(plot, "x, mm", 0, 0), &s->x, NULL, 0,
+        ok = add_series(add_panel(plot, "x, mm", 0, 0), &s->x, 0,
                         x[n++] = times_of(&s->x, job->from, scale));
     if (job->signals >> VM_SIGNAL_Y & 1)
-        ok = add_series(add_panel(plot, "y, mm", 0, 0), &s->y, NULL, 0,
+        ok = add_series(add_panel(plot, "y, mm", 0, 0), &s->y, 0,
                         x[n++] = times_of(&s->y, job->from, scale)) &&
              ok;
-    if (!(job->signals >> VM_SIGNAL_Z & 1))
-        return ok;
-    struct vm_plot_panel *panel = add_panel(plot, "grid drive z, of full", 0, 1.05);
-    for (int g = 0; g < s->guns; g++)
-        ok =
-            add_series(panel, &s->z[g], s->guns > 1 ? names[g] : NULL, s->guns > 1 ? colours[g] : 0,
-                       x[n++] = times_of(&s->z[g], job->from, scale)) &&
-            ok;
+    for (int g = 0; g < s->guns && (job->signals >> VM_SIGNAL_Z & 1); g++)
+        ok = add_series(add_panel(plot, s->guns == 1 ? "z, of full drive" : guns[g], 0, 1.05),
+                        &s->z[g], s->guns == 1 ? 0 : colours[g],
+                        x[n++] = times_of(&s->z[g], job->from, scale)) &&
+             ok;
     return ok;
 }
 
