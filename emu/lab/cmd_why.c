@@ -32,7 +32,8 @@ struct options {
 
 static const struct vm_option rows[] = {
     {"at", 0, VM_OPT_STRING, ROW(at), "X,Y",
-     "the place, in head units: of the vector head from the bottom left, of the raster head dots from "
+     "the place, in head units: of the vector head from the bottom left, of the raster head dots "
+     "from "
      "the top left",
      0, 0},
     {"time", 0, VM_OPT_TIME, ROW(moment.at), "T",
@@ -51,7 +52,8 @@ static const struct vm_option rows[] = {
      "the same firmware with its symbols and line tables, when FILE was stripped of them", 0, 0},
     {"json", 0, VM_OPT_FLAG, ROW(json), "", "print everything as JSON", 0, 0},
     {"load-state", 0, VM_OPT_STRING, ROW(saved.load), "FILE",
-     "go on from the machine in FILE, made with the same program and tube: light from before is told "
+     "go on from the machine in FILE, made with the same program and tube: light from before is "
+     "told "
      "apart from the rest, as older",
      0, 0},
 };
@@ -251,10 +253,13 @@ const struct vm_command vm_command_why = {
     "why",
     "[FILE] --at X,Y [--time T]",
     "Say what put the light there that a place on the screen shows",
-    "Lists what still glows there: its share of the light, when it was drawn, how strong, and by what: on the "
-    "vector head the display word with its line of source, on the raster head the scan line and its dots; "
+    "Lists what still glows there: its share of the light, when it was drawn, how strong, and by "
+    "what: on the "
+    "vector head the display word with its line of source, on the raster head the scan line and "
+    "its dots; "
     "and with firmware the store that wrote them, with symbol and line of source where FILE (or "
-    "--symbols) has them. The machine is run from power-on with a photodiode at that place, and a record "
+    "--symbols) has them. The machine is run from power-on with a photodiode at that place, and a "
+    "record "
     "of who has stored each byte. In the dark it says what came nearest.",
     "  kinescope why roms/rose.df --at 512,690\n"
     "  kinescope why roms/radar.df --at 700,512 --time 2.5s --order time\n"
