@@ -145,11 +145,27 @@ static bool choose_head(struct asking *a, const struct vm_machine *m, enum vm_he
                     a->input.name);
 }
 
+/* What never lit the beam leaves nothing to explain; of other trouble one may ask what it left. */
+static int judge(struct asking *a, struct vm_machine *m, struct crt_error *err)
+{
+    struct crt_error trouble;
+    switch (vm_find_trouble(m, &a->input, &trouble)) {
+    case VM_NO_TROUBLE:
+        return VM_EXIT_OK;
+    case VM_TROUBLE_DARK:
+        *err = trouble;
+        return VM_EXIT_TROUBLE;
+    default:
+        fprintf(stderr, "kinescope why: %s\n", trouble.text);
+        return VM_EXIT_OK;
+    }
+}
+
 /* Runs the program in the dark to the moment. */
 static int plan(struct asking *a, struct vm_why_place *place, uint64_t *t, struct crt_error *err)
 {
     struct vm_rig rig;
-    enum vm_head head;
+    enum vm_head head = VM_VECTOR;
     int status = VM_EXIT_TROUBLE;
     if (!vm_rig_open(&rig, &a->settings, &a->input, DF_TIMING_VALUE, NULL, err))
         return status;
@@ -157,6 +173,8 @@ static int plan(struct asking *a, struct vm_why_place *place, uint64_t *t, struc
         status = vm_moment_find(&rig, &a->o.moment, &a->settings, &a->input, t, err);
         if (status == VM_EXIT_OK && !choose_head(a, rig.machine, &head, err))
             status = VM_EXIT_USAGE;
+        if (status == VM_EXIT_OK)
+            status = judge(a, rig.machine, err);
         if (status == VM_EXIT_OK)
             *place = vm_why_at(rig.machine, head, a->x, a->y);
     }

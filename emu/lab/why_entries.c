@@ -4,6 +4,9 @@
 
 #include "emu/lab/why_words.h"
 
+/* What gives less than this part of the light there is has faded: it is still in the sum, but not counted. */
+#define FADED 1e-7
+
 /* A deposit, and what it has in common with others of its source. */
 struct item {
     uint64_t place, writer;
@@ -49,7 +52,8 @@ static int by_time(const void *x, const void *y)
 }
 
 /* Items in order of their source become entries; within one they are in order of time. */
-static size_t gather(struct vm_why_entry *at, const struct item *item, size_t count, bool all)
+static size_t gather(struct vm_why_entry *at, const struct item *item, size_t count, double faded,
+                     bool all)
 {
     size_t made = 0;
     for (size_t i = 0; i < count; i++) {
@@ -57,12 +61,14 @@ static size_t gather(struct vm_why_entry *at, const struct item *item, size_t co
         bool same = i > 0 && !all && item[i].place == item[i - 1].place &&
                     item[i].writer == item[i - 1].writer;
         if (!same)
-            at[made++] = (struct vm_why_entry){.first = d->t0};
+            at[made++] = (struct vm_why_entry){0};
         struct vm_why_entry *e = &at[made - 1];
         e->last = d;
-        e->pieces++;
         e->share += d->share;
-        e->fluence += d->fluence;
+        if (d->share >= faded) {
+            e->pieces++;
+            e->fluence += d->fluence;
+        }
     }
     return made;
 }
@@ -94,7 +100,7 @@ bool vm_why_entries_make(struct vm_why_entries *e, const struct vm_why *why,
     for (size_t i = 0; i < why->count; i++)
         item[i] = item_of(why, &text->names, &why->deposit[i]);
     qsort(item, why->count, sizeof *item, by_source);
-    e->count = gather(e->at, item, why->count, all);
+    e->count = gather(e->at, item, why->count, FADED * why->luminance, all);
     free(item);
     hide_small(e, text->least * why->luminance);
     qsort(e->at, e->count, sizeof *e->at, text->by_time ? by_time : by_share);

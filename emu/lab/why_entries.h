@@ -15,10 +15,9 @@
 
 struct vm_why_entry {
     const struct vm_why_deposit *last; /* its latest deposit */
-    size_t pieces;                     /* deposits */
+    size_t pieces;                     /* deposits that have not faded */
     double share;                      /* cd/m², of all of them */
-    double fluence;                    /* cd·s/m² */
-    uint64_t first;                    /* when the earliest began, ps */
+    double fluence;                    /* cd·s/m², of those that have not faded */
 };
 
 struct vm_why_entries {

@@ -13,7 +13,11 @@
 #define DARK_CD_M2 1e-6
 
 /* How many sources the sentence names. */
-#define NAMED 3
+#define NAMED       3
+#define LEAST_NAMED 0.01
+
+/* A share above this is "all". */
+#define ALL 0.9995
 
 /* From here on a table of figures has room; below it rows are short. */
 #define WIDE 80
@@ -127,19 +131,20 @@ static void add_sources(struct sentence *s, const struct writer *w, const struct
     size_t others = e->hidden;
     for (size_t i = 0; i < e->count; i++) {
         const struct vm_why_entry *entry = &e->at[i];
-        if (i >= NAMED) {
+        if (i >= NAMED || (i > 0 && entry->share < LEAST_NAMED * w->why->luminance)) {
             rest += entry->share;
             others += entry->pieces;
             continue;
         }
         percent(part_of(w->why, entry->share), share, sizeof share);
-        snprintf(text, sizeof text, "%s%s from ", i ? ", " : "", share);
+        snprintf(text, sizeof text, "%s%s from ", i ? ", " : "",
+                 entry->share > ALL * w->why->luminance ? "all of it" : share);
         add(s, text);
         vm_why_say_source(w->why, &w->text->names, entry->last, text, sizeof text);
         add(s, text);
         add_drawn(s, w, entry);
     }
-    if (others > 0) {
+    if (others > 0 && rest > 0) {
         percent(part_of(w->why, rest), share, sizeof share);
         snprintf(text, sizeof text, ", %s from %zu other piece%s", share, others,
                  others > 1 ? "s" : "");
