@@ -62,9 +62,10 @@ $(ROM_O)/%.o: roms/%.c roms/roms.mk
 	@mkdir -p $(@D)
 	$(ROM_CROSS)gcc $(ROM_CFLAGS) -MMD -MP -c -o $@ $<
 
+# The assembler maps no path by itself.
 $(ROM_O)/%.o: roms/%.S roms/roms.mk
 	@mkdir -p $(@D)
-	$(ROM_CROSS)gcc $(ROM_CFLAGS) -MMD -MP -c -o $@ $<
+	$(ROM_CROSS)gcc $(ROM_CFLAGS) "-Wa,--debug-prefix-map=$(CURDIR)=." -MMD -MP -c -o $@ $<
 
 $(ROM_O)/link.ld: roms/bsp/link.ld emu/memmap.h roms/roms.mk
 	@mkdir -p $(@D)
