@@ -10,6 +10,7 @@
 #include "emu/command.h"
 #include "emu/debug/snapshot.h"
 #include "emu/lab/why_record.h"
+#include "emu/progress.h"
 #include "emu/view.h"
 
 /* Notes are compared with deposits after so long: few enough of them wait, whatever draws. */
