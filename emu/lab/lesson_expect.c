@@ -18,9 +18,10 @@ static const struct {
 #define SIGNS (sizeof signs / sizeof *signs)
 
 static const struct {
-    const char *suffix;
+    const char *suffix, *power;
     double factor;
-} suffixes[] = {{"ns", 1e-9}, {"us", 1e-6}, {"ms", 1e-3}, {"s", 1}, {"k", 1e3}, {"%", 0.01}};
+} suffixes[] = {{"ns", "e-9", 1e-9}, {"us", "e-6", 1e-6}, {"ms", "e-3", 1e-3},
+                {"s", "e0", 1},      {"k", "e3", 1e3},    {"%", "e-2", 0.01}};
 
 /* "340us": its value; `suffix` is where the letters begin. */
 static bool read_number(const char *text, double *value, double *factor, const char **suffix)
@@ -37,9 +38,12 @@ static bool read_number(const char *text, double *value, double *factor, const c
         return true;
     for (size_t i = 0; i < sizeof suffixes / sizeof *suffixes; i++)
         if (strcmp(end, suffixes[i].suffix) == 0) {
+            /* 340us is the number 340e-6, which 340 times 1e-6 is not. */
+            char exact[VM_QUOTE_KEY + 8];
+            snprintf(exact, sizeof exact, "%.*s%s", (int)(end - text), text, suffixes[i].power);
             *factor = suffixes[i].factor;
-            *value *= *factor;
-            return true;
+            *value = strtod(exact, NULL);
+            return strcspn(exact, "eE") == (size_t)(end - text);
         }
     return false;
 }

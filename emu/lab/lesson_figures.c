@@ -297,12 +297,20 @@ static const char *scale_to_prefix(double *v)
     return prefix[i];
 }
 
+/* Of ten, of the first digit when rounded to so many. */
+static int power_of(double v, int digits)
+{
+    char text[64];
+    snprintf(text, sizeof text, "%.*e", digits - 1, v);
+    const char *e = strchr(text, 'e');
+    return e ? atoi(e + 1) : 0;
+}
+
 static void print_digits(double v, const struct format *f, char *text, size_t size)
 {
     int decimals = f->digits;
     if (!f->decimals) {
-        int power = v == 0 ? 0 : (int)floor(log10(fabs(v)));
-        decimals = f->digits - 1 - power;
+        decimals = f->digits - 1 - power_of(v, f->digits);
         decimals = decimals < 0 ? 0 : decimals > 12 ? 12 : decimals;
         if (!f->given && v == floor(v) && fabs(v) < 1e9)
             decimals = 0;

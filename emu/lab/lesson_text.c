@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "emu/lab/lesson_command.h"
-#include "emu/options.h"
 
 const char vm_lesson_left_out[] = "Not shown live, as it would flash: see the picture instead.";
 
@@ -16,12 +15,45 @@ struct printer {
     struct crt_error *err;
 };
 
+#define COLUMNS 96
+
 static void underline(FILE *out, const char *text, char with)
 {
     fprintf(out, "%s\n", text);
     for (; *text; text++)
         if ((*text & 0xc0) != 0x80)
             fputc(with, out);
+    fputc('\n', out);
+}
+
+static size_t columns(const char *p, size_t n)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < n; i++)
+        count += (p[i] & 0xc0) != 0x80;
+    return count;
+}
+
+/* The lines after the first go `hang` columns further in. */
+static void wrap(FILE *out, const char *text, int indent, int hang)
+{
+    size_t column = (size_t)indent;
+    fprintf(out, "%*s", indent, "");
+    for (const char *p = text; *p;) {
+        size_t n = strcspn(p, " "), wide = columns(p, n);
+        bool first = column == (size_t)indent;
+        if (!first && column + 1 + wide > COLUMNS) {
+            fprintf(out, "\n%*s", indent + hang, "");
+            column = (size_t)(indent + hang);
+        } else if (!first) {
+            fputc(' ', out);
+            column++;
+        }
+        fprintf(out, "%.*s", (int)n, p);
+        column += wide;
+        p += n;
+        p += *p == ' ';
+    }
     fputc('\n', out);
 }
 
@@ -35,7 +67,7 @@ static bool print_filled(const struct printer *p, int i, const char *before, int
     char *whole = malloc(size);
     if (whole) {
         snprintf(whole, size, "%s%s", before, text);
-        vm_print_wrapped(p->out, whole, indent);
+        wrap(p->out, whole, indent, *before ? 2 : 0);
     }
     free(whole);
     free(text);
@@ -132,10 +164,10 @@ bool vm_lesson_print(FILE *out, const struct vm_lesson *lesson,
 {
     struct printer p = {out, lesson, results, look, err};
     underline(out, lesson->title, '=');
-    vm_print_wrapped(out, lesson->summary, 0);
+    wrap(out, lesson->summary, 0, 0);
     if (vm_lesson_flashes(lesson) && !look->no_flash) {
         fputc('\n', out);
-        vm_print_wrapped(out, vm_lesson_warning, 0);
+        wrap(out, vm_lesson_warning, 0, 0);
     }
     for (int i = 0; i < lesson->head; i++)
         if (!print_line(&p, i))
