@@ -122,8 +122,9 @@ struct vm_machine {
     uint64_t tick_time;                /* of the next one */
     uint64_t strokes, lit, last_light; /* pieces drawn; beam-on time; end of the last piece */
     uint64_t stops, last_stop;         /* stop words executed; when the last was done */
-    uint64_t
-        ends[VM_STROKES_KEPT]; /* of the last strokes, by their number modulo that; for steps */
+    struct crt_stroke
+        recent[VM_STROKES_KEPT]; /* the last strokes, by number modulo that; no part of the
+                                                  machine's state, forgotten when one is loaded */
     uint64_t bells;
     uint64_t marks; /* marks set by the program */
     uint32_t mark;  /* the last one's number */
@@ -176,6 +177,12 @@ bool vm_machine_run_stroke(struct vm_machine *m, uint64_t limit);
 /* The raster head's next line begins, blanked ones too: one visible, in blanking, or the first of a new
  * timing. */
 bool vm_machine_run_line(struct vm_machine *m, uint64_t limit);
+
+/* The stroke under way, or the last one that is over; NULL: there is none, or it was drawn before a state
+ * was loaded. */
+const struct crt_stroke *vm_machine_stroke(const struct vm_machine *m);
+/* Where the vector head's beam was last lit, head units; lit: it is now. False: not known. */
+bool vm_machine_beam(const struct vm_machine *m, double *x, double *y, bool *lit);
 
 /* The knobs of a head's monitor, from now on: its tube's, and of what a pen at it sees. */
 void vm_machine_turn(struct vm_machine *m, enum inp_screen screen, struct crt_knobs knobs);

@@ -233,7 +233,7 @@ void vm_machine_state(struct vm_machine *m, struct crt_state *s)
     crt_state_end(s);
     if (!s->loading || s->failed)
         return;
-    memset(m->ends, 0, sizeof m->ends);
+    memset(m->recent, 0, sizeof m->recent);
     m->tick_time = crt_tick_time(m->desc.tick, m->ticks);
     m->advanced = m->desc.tube ? m->now : 0;
     m->raster_advanced = m->desc.raster_tube ? m->now : 0;

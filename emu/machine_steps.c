@@ -6,8 +6,8 @@ static uint64_t next_end(const struct vm_machine *m)
 {
     uint64_t first = VM_NEVER;
     for (int i = 0; i < VM_STROKES_KEPT; i++)
-        if (m->ends[i] > m->now && m->ends[i] < first)
-            first = m->ends[i];
+        if (m->recent[i].t1 > m->now && m->recent[i].t1 < first)
+            first = m->recent[i].t1;
     return first;
 }
 
@@ -30,6 +30,29 @@ bool vm_machine_run_stroke(struct vm_machine *m, uint64_t limit)
         end = next_end(m);
     vm_machine_run(m, end < limit ? end : limit);
     return end <= limit;
+}
+
+const struct crt_stroke *vm_machine_stroke(const struct vm_machine *m)
+{
+    const struct crt_stroke *last = NULL;
+    for (int i = 0; i < VM_STROKES_KEPT; i++) {
+        const struct crt_stroke *s = &m->recent[i];
+        if (s->t1 > 0 && s->t0 < m->now && (!last || s->t0 > last->t0))
+            last = s;
+    }
+    return last;
+}
+
+bool vm_machine_beam(const struct vm_machine *m, double *x, double *y, bool *lit)
+{
+    const struct crt_stroke *s = vm_machine_stroke(m);
+    if (!s)
+        return false;
+    *lit = s->t1 > m->now;
+    double done = *lit ? (double)(m->now - s->t0) / (double)(s->t1 - s->t0) : 1;
+    crt_mm_to_units(&m->dpu.desc.screen, (double)s->x0 + done * (double)(s->x1 - s->x0),
+                    (double)s->y0 + done * (double)(s->y1 - s->y0), x, y);
+    return true;
 }
 
 /* When the line after the one under way begins. */

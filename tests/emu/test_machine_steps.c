@@ -1,4 +1,6 @@
 /* Steps of the machine to the end of every stroke, against what the trace's hooks say. */
+#include <math.h>
+
 #include "tests/emu/processor_rig.h"
 
 #define DF_MODE(m) (DF_SET_MODE | (m) << DF_MODE_SHIFT)
@@ -104,6 +106,39 @@ static void strokes_under_way_are_steps_too(void **state)
     free(m);
 }
 
+/* Where the beam is, from the strokes themselves. */
+static void the_beam_is_where_the_stroke_is(void **state)
+{
+    static struct seen seen;
+    (void)state;
+    seen.count = 0;
+    run_seen(&seen, 30 * MS);
+    struct vm_machine *m = start();
+    double x = 0, y = 0;
+    bool lit;
+    assert_false(vm_machine_beam(m, &x, &y, &lit));
+    assert_null(vm_machine_stroke(m));
+    for (size_t i = 0; i < seen.count; i++) {
+        const struct crt_stroke *s = &seen.stroke[i];
+        const struct crt_screen *screen = &m->dpu.desc.screen;
+        uint64_t middle = s->t0 + (s->t1 - s->t0) / 2;
+        vm_machine_run(m, middle);
+        assert_true(vm_machine_beam(m, &x, &y, &lit));
+        assert_true(lit);
+        float mm[2];
+        crt_screen_to_mm(screen, x, y, &mm[0], &mm[1]);
+        assert_true(fabsf(mm[0] - (s->x0 + s->x1) / 2) < 1e-3F);
+        assert_true(fabsf(mm[1] - (s->y0 + s->y1) / 2) < 1e-3F);
+        assert_int_equal(vm_machine_stroke(m)->source, s->source);
+        vm_machine_run(m, s->t1);
+        assert_true(vm_machine_beam(m, &x, &y, &lit));
+        assert_false(lit);
+        assert_int_equal(vm_machine_stroke(m)->t1, s->t1);
+    }
+    assert_true(fabs(x - 501) < 1e-3 && fabs(y - 500) < 1e-3); /* the last point */
+    free(m);
+}
+
 static void recordings_are_stepped_through(void **state)
 {
     (void)state;
@@ -130,6 +165,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(every_stroke_is_a_step),
         cmocka_unit_test(strokes_under_way_are_steps_too),
+        cmocka_unit_test(the_beam_is_where_the_stroke_is),
         cmocka_unit_test(recordings_are_stepped_through),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
