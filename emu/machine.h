@@ -187,6 +187,10 @@ bool vm_machine_beam(const struct vm_machine *m, double *x, double *y, bool *lit
 /* The knobs of a head's monitor, from now on: its tube's, and of what a pen at it sees. */
 void vm_machine_turn(struct vm_machine *m, enum inp_screen screen, struct crt_knobs knobs);
 
+/* Head units to tube millimetres: the vector head's units, or the raster head's dots from the top left. */
+void vm_machine_place(const struct vm_machine *m, enum inp_screen head, double x, double y,
+                      double *x_mm, double *y_mm);
+
 /* A copy that goes on alone, without tubes and console: for looking ahead. `copy` need not be
  * initialised; vm_machine_forget frees its board and refresh buffer. False: out of memory. */
 bool vm_machine_copy(struct vm_machine *copy, const struct vm_machine *m);
