@@ -27,12 +27,17 @@ void vm_shots_at_rate(struct vm_shots *shots, uint64_t from, struct crt_rate fps
     }
 }
 
+uint64_t vm_shots_chosen(uint64_t n, uint64_t count, uint64_t most)
+{
+    return count <= most ? n : most > 1 ? n * (count - 1) / (most - 1) : 0;
+}
+
 void vm_shots_choose(struct vm_shots *shots, uint64_t most)
 {
     if (shots->count <= most)
         return;
     for (uint64_t n = 0; n < most; n++)
-        shots->shot[n] = shots->shot[most > 1 ? n * (shots->count - 1) / (most - 1) : 0];
+        shots->shot[n] = shots->shot[vm_shots_chosen(n, shots->count, most)];
     shots->count = most;
 }
 

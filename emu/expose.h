@@ -37,6 +37,9 @@ void vm_shots_at_rate(struct vm_shots *shots, uint64_t from, struct crt_rate fps
 /* At most `most` of them, evenly chosen, the first and the last among them. */
 void vm_shots_choose(struct vm_shots *shots, uint64_t most);
 
+/* The number of the n-th one chosen. */
+uint64_t vm_shots_chosen(uint64_t n, uint64_t count, uint64_t most);
+
 /* How many frames of that exposure (0: the shots' own) are open at once; above VM_OVERLAP_MAX vm_expose
  * refuses. */
 uint64_t vm_shots_overlap(const struct vm_shots *shots, uint64_t exposure);

@@ -223,13 +223,11 @@ static enum vm_head head_shown(const struct vm_settings *s, const char *key)
     enum vm_head head;
     struct crt_error err;
     const char *name = bare(key);
-    unsigned named = name == key       ? VM_VIEW_BOTH
-                     : key[0] == 'v' ? VM_VIEW_VECTOR
-                                     : VM_VIEW_RASTER;
-    return head_for(s, named, name, &head, &err)   ? head
-           : named == VM_VIEW_BOTH                 ? s->main
-           : named == VM_VIEW_RASTER               ? VM_RASTER
-                                                   : VM_VECTOR;
+    unsigned named = name == key ? VM_VIEW_BOTH : key[0] == 'v' ? VM_VIEW_VECTOR : VM_VIEW_RASTER;
+    return head_for(s, named, name, &head, &err) ? head
+           : named == VM_VIEW_BOTH               ? s->main
+           : named == VM_VIEW_RASTER             ? VM_RASTER
+                                                 : VM_VECTOR;
 }
 
 bool vm_settings_value(const struct vm_settings *s, const char *key, struct vm_setting *value)
@@ -240,7 +238,8 @@ bool vm_settings_value(const struct vm_settings *s, const char *key, struct vm_s
     const char *name = bare(key);
     *value = (struct vm_setting){0, "", NULL};
     const double *knob = knob_of(&monitor.knobs, name, &low, &high);
-    const struct crt_figure *figure = knob ? NULL : crt_tube_figure(&monitor.row, name, &value->unit);
+    const struct crt_figure *figure =
+        knob ? NULL : crt_tube_figure(&monitor.row, name, &value->unit);
     if (!knob && !figure)
         figure = inp_setup_figure(&setup, key, &value->unit, NULL);
     if (strcmp(key, "memory") == 0)

@@ -174,17 +174,33 @@ static void item_text(const char *item, const struct vm_versus_side *side, char 
         text[0] = '\0';
 }
 
-void vm_versus_caption(const struct vm_versus *v, const struct vm_versus_side *side, char *text,
-                       size_t size)
+static void join(char *text, const char *part)
 {
-    size_t n = 0;
-    text[0] = '\0';
-    for (int i = 0; i < v->count && n < size; i++) {
-        char part[96];
-        item_text(v->item[i] + 2, side, part, sizeof part);
-        /* "·" is two bytes, which must not be cut. */
-        if (n + strlen(part) + 5 > size)
-            break;
-        n += (size_t)snprintf(text + n, size - n, "%s%s", n ? " \xC2\xB7 " : "", part);
+    size_t n = strlen(text);
+    /* "·" is two bytes, which must not be cut. */
+    if (n + strlen(part) + 5 <= VM_VERSUS_CAPTION)
+        snprintf(text + n, VM_VERSUS_CAPTION - n, "%s%s", n ? " \xC2\xB7 " : "", part);
+}
+
+static void join_all(const struct vm_versus *v, const struct vm_versus_side side[2], bool same_too,
+                     char text[2][VM_VERSUS_CAPTION])
+{
+    for (int i = 0; i < v->count; i++) {
+        char part[2][96];
+        for (int k = 0; k < 2; k++)
+            item_text(v->item[i] + 2, &side[k], part[k], sizeof part[k]);
+        if (same_too || strcmp(part[0], part[1]) != 0) {
+            join(text[0], part[0]);
+            join(text[1], part[1]);
+        }
     }
+}
+
+void vm_versus_captions(const struct vm_versus *v, const struct vm_versus_side side[2],
+                        char text[2][VM_VERSUS_CAPTION])
+{
+    text[0][0] = text[1][0] = '\0';
+    join_all(v, side, false, text);
+    if (!text[0][0] && !text[1][0])
+        join_all(v, side, true, text);
 }

@@ -21,7 +21,7 @@
 #define VM_VERSUS_CAPTION 160
 
 struct vm_versus {
-    int count; /* 0: there is no other side */
+    int count;                  /* 0: there is no other side */
     char *item[VM_VERSUS_MOST]; /* "--name=value" */
 };
 
@@ -37,8 +37,9 @@ struct vm_versus_side {
     size_t table_count;
     const struct vm_settings *settings;
 };
-/* How this side is where the two differ: the same words for either. UTF-8. */
-void vm_versus_caption(const struct vm_versus *versus, const struct vm_versus_side *side, char *text,
-                       size_t size);
+/* What each side is called: what differs, in the same words for either; what was said but is the same on both
+ * is left out, unless all is. UTF-8. */
+void vm_versus_captions(const struct vm_versus *versus, const struct vm_versus_side side[2],
+                        char text[2][VM_VERSUS_CAPTION]);
 
 #endif
