@@ -34,6 +34,12 @@ void vm_caption_time(uint64_t ps, bool difference, char *text, size_t size)
              micro ? "\xC2\xB5s" : "");
 }
 
+void vm_caption_clock(uint64_t ps, char *text, size_t size)
+{
+    snprintf(text, size, "%llu.%09llu s", (unsigned long long)(ps / CRT_PS_PER_S),
+             (unsigned long long)(ps % CRT_PS_PER_S / 1000));
+}
+
 /* Cuts letters off the end, whole ones, until the text is no wider. */
 static void cut(struct vm_type type, char *text, double width)
 {
@@ -46,19 +52,28 @@ static void cut(struct vm_type type, char *text, double width)
     }
 }
 
-static void draw(struct vm_ink *ink, const struct vm_caption *caption, double letters, int height)
+/* The size at which every text fits: those of one strip are of one size. */
+static double common_size(const struct vm_caption *texts, int count, double letters)
+{
+    double size = letters;
+    for (int i = 0; i < count; i++) {
+        double wide = vm_text_width((struct vm_type){letters, 1}, texts[i].text);
+        double room = texts[i].width - letters;
+        if (wide > room)
+            size = fmin(size, letters * room / wide);
+    }
+    return fmax(size, SMALLEST);
+}
+
+static void draw(struct vm_ink *ink, const struct vm_caption *caption, double size, int height)
 {
     char text[512];
-    struct vm_type type = {letters, 1};
-    double room = caption->width - letters;
+    struct vm_type type = {size, 1};
     snprintf(text, sizeof text, "%s", caption->text);
-    double wide = vm_text_width(type, text);
-    if (wide > room && wide > 0)
-        type.size = fmax(letters * room / wide, SMALLEST);
-    cut(type, text, room);
+    cut(type, text, caption->width - size / 2);
     double width = vm_text_width(type, text);
-    double x = caption->left ? letters / 4 : (caption->width - width) / 2;
-    vm_text_draw(ink, type, caption->x + x, height / 2.0 + VM_CAPITALS * type.size / 2, false, text,
+    double x = caption->left ? size / 4 : (caption->width - width) / 2;
+    vm_text_draw(ink, type, caption->x + x, height / 2.0 + VM_CAPITALS * size / 2, false, text,
                  paper_white);
 }
 
@@ -73,8 +88,9 @@ bool vm_caption_strip(const struct vm_caption *texts, int count, int width, doub
         crt_image_free(strip);
         return false;
     }
+    double size = common_size(texts, count, letters);
     for (int i = 0; i < count; i++)
-        draw(&ink, &texts[i], letters, height);
+        draw(&ink, &texts[i], size, height);
     vm_ink_close(&ink);
     return true;
 }

@@ -91,6 +91,7 @@ struct vm_capture {
     int sides;
     struct vm_closeup closeup;
     enum vm_capture_step step;
+    uint64_t all;          /* shots before some were chosen for --sheet */
     struct vm_size places; /* of --sheet; 0: there is none */
     struct vm_shots shots;
     struct crt_rate fps;       /* of the sequence; of steps, as they are played */

@@ -289,6 +289,7 @@ static void choose_for_sheet(struct vm_capture *c)
     uint64_t most = (uint64_t)c->places.width * (uint64_t)c->places.height;
     for (uint64_t n = 0; c->word && n < most && n < c->shots.count; n++)
         c->word[n] = c->word[vm_shots_chosen(n, c->shots.count, most)];
+    c->all = c->shots.count;
     vm_shots_choose(&c->shots, most);
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "display_file/disasm.h"
+#include "emu/caption.h"
 #include "emu/capture_parts.h"
 #include "emu/command.h"
 #include "emu/cpu/rv_disasm.h"
@@ -135,25 +136,17 @@ static void say_word(struct line *l, const struct vm_step_word *w)
     say(l, text);
 }
 
-/* The word whose stroke is drawn, or was last. */
-static void say_drawing(struct line *l, const struct vm_machine *m)
-{
-    const struct crt_stroke *s = vm_machine_stroke(m);
-    char text[64];
-    if (!s || !m->dpu.words)
-        return;
-    snprintf(text, sizeof text, "drawn by the word at %06o", (unsigned)s->source);
-    say(l, text);
-}
-
+/* Where the beam is, or was lit last, and by which word. */
 static void say_beam(struct line *l, const struct vm_machine *m)
 {
     double x, y;
     bool lit;
-    char text[64];
+    char text[96], word[32] = "";
     if (!vm_machine_beam(m, &x, &y, &lit))
         return;
-    snprintf(text, sizeof text, "beam %s %.0f,%.0f", lit ? "at" : "last at", x, y);
+    if (m->dpu.words)
+        snprintf(word, sizeof word, " (word %06o)", (unsigned)vm_machine_stroke(m)->source);
+    snprintf(text, sizeof text, "beam %s %.0f,%.0f%s", lit ? "at" : "last lit at", x, y, word);
     say(l, text);
 }
 
@@ -189,9 +182,7 @@ void vm_capture_caption(const struct vm_capture *c, uint64_t number, char *text,
     struct line line = {text, size, 0};
     char part[64];
     text[0] = '\0';
-    uint64_t at = c->shots.shot[number].at;
-    snprintf(part, sizeof part, "%llu.%09llu s", (unsigned long long)(at / CRT_PS_PER_S),
-             (unsigned long long)(at % CRT_PS_PER_S / 1000));
+    vm_caption_clock(c->shots.shot[number].at, part, sizeof part);
     say(&line, part);
     if (c->step == VM_STEP_REFRESH) {
         snprintf(part, sizeof part, "refresh %llu", (unsigned long long)m->refreshes.last.number);
@@ -201,8 +192,6 @@ void vm_capture_caption(const struct vm_capture *c, uint64_t number, char *text,
         say_instruction(&line, &m->desc.board->cpu);
     if (c->word)
         say_word(&line, &c->word[number]);
-    else if ((side->view & VM_VIEW_VECTOR) && c->step != VM_STEP_LINE)
-        say_drawing(&line, m);
     if ((side->view & VM_VIEW_VECTOR) && c->step != VM_STEP_LINE)
         say_beam(&line, m);
     if (side->view & VM_VIEW_RASTER)

@@ -19,22 +19,36 @@ bool vm_capture_check_place(const struct vm_capture *c, struct crt_error *err)
 /* ---- a sheet ------------------------------------------------------------------------------------
  */
 
+/* What lies between two pictures of a sheet. */
+static void spacing(const struct vm_capture *c, char *text, size_t size)
+{
+    unsigned long long shown = c->shots.count, all = c->all;
+    char step[40];
+    if (shown < all)
+        snprintf(text, size, "%llu of %llu %s%s", shown, all, c->step ? c->o.step : "picture",
+                 c->step == VM_STEP_NONE ? "s" : " steps");
+    else if (c->step)
+        snprintf(text, size, "step by %s", c->o.step);
+    else if (shown > 1) {
+        vm_caption_time(c->shots.shot[1].at - c->shots.shot[0].at, false, step, sizeof step);
+        snprintf(text, size, "every %s", step);
+    } else {
+        snprintf(text, size, "one picture");
+    }
+}
+
 /* What all pictures of a sheet have in common. */
 static void heading(const struct vm_capture *c, const struct vm_frame *frame, char *text,
                     size_t size)
 {
     const struct vm_capture_side *s = &c->side[0];
     const struct vm_monitor *m = &s->settings.monitor[s->view == VM_VIEW_RASTER];
-    char from[40], step[40], exposure[40];
-    vm_format_seconds(c->shots.shot[0].at, from, sizeof from);
+    char from[40], step[80], exposure[40];
+    vm_caption_clock(c->shots.shot[0].at, from, sizeof from);
     vm_caption_time(frame->t1 - frame->t0, false, exposure, sizeof exposure);
-    if (c->step)
-        snprintf(step, sizeof step, "one %s", c->o.step);
-    else
-        vm_caption_time(c->shots.count > 1 ? c->shots.shot[1].at - c->shots.shot[0].at : 0, false,
-                        step, sizeof step);
+    spacing(c, step, sizeof step);
     size_t n = (size_t)snprintf(text, size,
-                                "%s \xC2\xB7 %s %s \xC2\xB7 from %s \xC2\xB7 step %s \xC2\xB7 "
+                                "%s \xC2\xB7 %s %s \xC2\xB7 from %s \xC2\xB7 %s \xC2\xB7 "
                                 "exposure %s",
                                 c->input.name, m->row.name, m->phosphor.name, from, step,
                                 c->step && !s->o.exposure.given ? "the step" : exposure);

@@ -28,6 +28,7 @@ extern const struct vm_option vm_light_rows[VM_LIGHT_ROWS];
 struct vm_lights {
     struct crt_glass_settings head[VM_HEADS];
     bool by_peak; /* the gains wait for vm_light_peaks() */
+    double times; /* what is asked for, of auto or of peak */
 };
 int vm_light_settings(const struct vm_light_options *options, const struct vm_settings *settings,
                       struct vm_lights *lights, struct crt_error *err);

@@ -122,6 +122,20 @@ bool vm_sheet_open(struct vm_sheet *s, int columns, uint64_t count, struct vm_si
     return head(s, heading, err);
 }
 
+/* A dim line around a picture, in the gap: where a dark picture ends. */
+static void outline(struct crt_image *image, int x, int y, struct vm_size size)
+{
+    const uint16_t dim = 44;
+    for (int row = y - 1; row <= y + size.height; row++)
+        for (int column = x - 1; column <= x + size.width; column++) {
+            bool edge = row < y || row == y + size.height || column < x || column == x + size.width;
+            uint16_t *p =
+                image->samples + ((size_t)row * (size_t)image->width + (size_t)column) * 3;
+            for (int c = 0; edge && c < 3; c++)
+                p[c] = dim;
+        }
+}
+
 bool vm_sheet_add(struct vm_sheet *s, uint64_t number, const struct crt_image *picture,
                   const char *caption, struct crt_error *err)
 {
@@ -133,10 +147,11 @@ bool vm_sheet_add(struct vm_sheet *s, uint64_t number, const struct crt_image *p
     vm_sheet_reduce(s, picture, &small);
     vm_image_place(&small, x, y, &s->image);
     crt_image_free(&small);
+    outline(&s->image, x, y, s->cell);
     const struct vm_caption text = {caption, 0, s->cell.width, false};
     if (!vm_caption_strip(&text, 1, s->cell.width, s->letters, &strip, err))
         return false;
-    vm_image_place(&strip, x, y + s->cell.height, &s->image);
+    vm_image_place(&strip, x, y + s->cell.height + 1, &s->image);
     crt_image_free(&strip);
     return true;
 }
