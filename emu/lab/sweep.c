@@ -113,3 +113,20 @@ void vm_sweep_take_field(struct vm_sweep *s, const char *field)
             s->field[s->fields++] = i;
     }
 }
+
+void vm_sweep_sort(struct vm_sweep *s)
+{
+    double cff[VM_SWEEP_PHOSPHORS];
+    for (int i = 0; i < s->phosphors; i++)
+        cff[i] = vm_sweep_cell(s, &(struct vm_sweep_at){.phosphor = i}).cff_hz;
+    /* By insertion: those with the same keep their order. */
+    for (int i = 1; i < s->phosphors; i++)
+        for (int k = i; k > 0 && cff[k - 1] > cff[k]; k--) {
+            const struct crt_phosphor *p = s->phosphor[k];
+            double hz = cff[k];
+            s->phosphor[k] = s->phosphor[k - 1];
+            s->phosphor[k - 1] = p;
+            cff[k] = cff[k - 1];
+            cff[k - 1] = hz;
+        }
+}

@@ -54,6 +54,9 @@ bool vm_sweep_take_luminances(struct vm_sweep *s, const char *luminances, struct
 /* "10", "30", "50", "70"; NULL or "all": all four. */
 void vm_sweep_take_field(struct vm_sweep *s, const char *field);
 
+/* The phosphors by CFF, lowest first, of the first field and luminance. */
+void vm_sweep_sort(struct vm_sweep *s);
+
 /* At most 100 columns. With one field: margin, C1 and limit; with several: those who see flicker. */
 void vm_sweep_print(FILE *to, const struct vm_sweep *s);
 void vm_sweep_print_csv(FILE *to, const struct vm_sweep *s);
