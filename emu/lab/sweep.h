@@ -42,6 +42,8 @@ struct vm_sweep_cell {
     double margin_hz;   /* CFF − rate: above 0 it flickers */
     double limit_cd_m2; /* the luminance above which that rate flickers; may be infinite */
     bool flickers;
+    enum crt_ieee1789 ieee1789;
+    double svm; /* NaN outside its range of rates */
 };
 
 struct vm_sweep_cell vm_sweep_cell(const struct vm_sweep *s, const struct vm_sweep_at *at);
