@@ -65,22 +65,27 @@ void vm_devices_wire(struct vm_machine *m)
 /* ---- acts ---------------------------------------------------------------------------------------
  */
 
-/* Head units to millimetres: of the vector head, or dots of the raster head from the top left. */
+void vm_machine_place(const struct vm_machine *m, enum inp_screen head, double x, double y,
+                      double *x_mm, double *y_mm)
+{
+    const struct ras_timing *timing = &m->raster.timing;
+    struct crt_screen screen = m->dpu.desc.screen;
+    float fx, fy;
+    if (head == INP_RASTER) {
+        screen = (struct crt_screen){m->raster.desc.width_mm, m->raster.desc.height_mm,
+                                     timing->h.visible, timing->v.visible};
+        y = screen.units_y - 1 - y;
+    }
+    crt_screen_to_mm(&screen, x, y, &fx, &fy);
+    *x_mm = (double)fx;
+    *y_mm = (double)fy;
+}
+
 static void place(const struct vm_machine *m, struct inp_act *act)
 {
-    double x = act->x / 1000.0, y = act->y / 1000.0, x_mm, y_mm;
-    if (act->screen == INP_RASTER) {
-        const struct crt_tube_row *row = m->desc.raster_row;
-        const struct ras_timing *timing = &m->raster.timing;
-        x_mm = ((x + 0.5) / timing->h.visible - 0.5) * row->width.value;
-        y_mm = (0.5 - (y + 0.5) / timing->v.visible) * row->height.value;
-    } else {
-        float fx, fy;
-        struct crt_screen screen = crt_tube_screen(m->desc.row);
-        crt_screen_to_mm(&screen, x, y, &fx, &fy);
-        x_mm = (double)fx;
-        y_mm = (double)fy;
-    }
+    double x_mm, y_mm;
+    vm_machine_place(m, (enum inp_screen)act->screen, act->x / 1000.0, act->y / 1000.0, &x_mm,
+                     &y_mm);
     double most = INP_FURTHEST;
     x_mm = x_mm * 1000 < -most ? -most / 1000 : x_mm * 1000 > most ? most / 1000 : x_mm;
     y_mm = y_mm * 1000 < -most ? -most / 1000 : y_mm * 1000 > most ? most / 1000 : y_mm;

@@ -30,15 +30,5 @@ uint64_t vm_view_exposure(enum vm_view view, const struct vm_machine *m)
 void vm_view_place(enum vm_view view, const struct vm_machine *m, double x, double y, double *x_mm,
                    double *y_mm)
 {
-    const struct ras_timing *timing = &m->raster.timing;
-    struct crt_screen screen = m->dpu.desc.screen;
-    if (view == VM_VIEW_RASTER) {
-        screen = (struct crt_screen){m->raster.desc.width_mm, m->raster.desc.height_mm,
-                                     timing->h.visible, timing->v.visible};
-        y = screen.units_y - 1 - y;
-    }
-    float mm[2];
-    crt_screen_to_mm(&screen, x, y, &mm[0], &mm[1]);
-    *x_mm = (double)mm[0];
-    *y_mm = (double)mm[1];
+    vm_machine_place(m, view == VM_VIEW_RASTER ? INP_RASTER : INP_VECTOR, x, y, x_mm, y_mm);
 }

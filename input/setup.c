@@ -17,28 +17,21 @@ struct row {
      {value, low, high, source},                                                                   \
      meaning},
 
+#define PEN_ROW(...)      ROW(pen, __VA_ARGS__)
+#define TABLET_ROW(...)   ROW(tablet, __VA_ARGS__)
+#define TOUCH_ROW(...)    ROW(touch, __VA_ARGS__)
+#define MOUSE_ROW(...)    ROW(mouse, __VA_ARGS__)
+#define KEYBOARD_ROW(...) ROW(keyboard, __VA_ARGS__)
+
+/* clang-format off */
 static const struct row rows[] = {
-#define X(field, unit, value, low, high, meaning, source)                                          \
-    ROW(pen, field, unit, value, low, high, meaning, source)
-    INP_PEN_FIGURES(X)
-#undef X
-#define X(field, unit, value, low, high, meaning, source)                                          \
-    ROW(tablet, field, unit, value, low, high, meaning, source)
-        INP_TABLET_FIGURES(X)
-#undef X
-#define X(field, unit, value, low, high, meaning, source)                                          \
-    ROW(touch, field, unit, value, low, high, meaning, source)
-            INP_TOUCH_FIGURES(X)
-#undef X
-#define X(field, unit, value, low, high, meaning, source)                                          \
-    ROW(mouse, field, unit, value, low, high, meaning, source)
-                INP_MOUSE_FIGURES(X)
-#undef X
-#define X(field, unit, value, low, high, meaning, source)                                          \
-    ROW(keyboard, field, unit, value, low, high, meaning, source)
-                    INP_KEYBOARD_FIGURES(X)
-#undef X
+    INP_PEN_FIGURES(PEN_ROW)
+    INP_TABLET_FIGURES(TABLET_ROW)
+    INP_TOUCH_FIGURES(TOUCH_ROW)
+    INP_MOUSE_FIGURES(MOUSE_ROW)
+    INP_KEYBOARD_FIGURES(KEYBOARD_ROW)
 };
+/* clang-format on */
 
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -50,7 +43,7 @@ static struct crt_figure *figure_at(struct inp_setup *setup, size_t offset)
 void inp_setup_default(struct inp_setup *setup)
 {
     memset(setup, 0, sizeof *setup);
-    setup->has_pen = setup->has_keyboard = true;
+    setup->has_pen = setup->has_keyboard = 1;
     setup->tablet.kind = TABLET_ELECTRICAL;
     setup->touch.kind = TOUCH_OPTICAL;
     setup->touch.screen = INP_RASTER;
@@ -91,34 +84,15 @@ static const char *const screens[] = {"vector", "raster", NULL};
 static const struct {
     const char *key;
     const char *const *names;
-} kinds[] = {{"pen", connected}, {"keyboard", connected}, {"tablet", tablets},
-             {"touch", panels},  {"mouse", mice},         {"touch.screen", screens}};
+    size_t offset; /* of the number of the kind, unsigned, in struct inp_setup */
+} kinds[] = {{"pen", connected, offsetof(struct inp_setup, has_pen)},
+             {"keyboard", connected, offsetof(struct inp_setup, has_keyboard)},
+             {"tablet", tablets, offsetof(struct inp_setup, tablet.kind)},
+             {"touch", panels, offsetof(struct inp_setup, touch.kind)},
+             {"mouse", mice, offsetof(struct inp_setup, mouse.kind)},
+             {"touch.screen", screens, offsetof(struct inp_setup, touch.screen)}};
 
 enum { KINDS = sizeof kinds / sizeof *kinds };
-
-static void store_kind(struct inp_setup *setup, int kind, unsigned value)
-{
-    switch (kind) {
-    case 0:
-        setup->has_pen = value;
-        break;
-    case 1:
-        setup->has_keyboard = value;
-        break;
-    case 2:
-        setup->tablet.kind = value;
-        break;
-    case 3:
-        setup->touch.kind = value;
-        break;
-    case 4:
-        setup->mouse.kind = value;
-        break;
-    default:
-        setup->touch.screen = value;
-        break;
-    }
-}
 
 static bool no_such_kind(const char *key, const char *value, const char *const *names,
                          struct crt_error *err)
@@ -143,7 +117,7 @@ bool inp_setup_set_kind(struct inp_setup *setup, const char *key, const char *va
             continue;
         for (unsigned i = 0; kinds[k].names[i]; i++)
             if (strcmp(kinds[k].names[i], value) == 0) {
-                store_kind(setup, k, i);
+                memcpy((char *)setup + kinds[k].offset, &i, sizeof i);
                 return true;
             }
         return no_such_kind(key, value, kinds[k].names, err);

@@ -20,7 +20,7 @@
 #include "input/touch.h"
 
 struct inp_setup {
-    bool has_pen, has_keyboard;
+    unsigned has_pen, has_keyboard; /* 0 or 1 */
     struct inp_pen_setup pen;
     struct inp_tablet_setup tablet;
     struct inp_touch_setup touch;
