@@ -44,7 +44,7 @@ static const struct vm_option rows[] = {
     {"log", 0, VM_OPT_FLAG, ROW(log), "", "luminance in the plot by decades", 0, 0},
     {"signal", 0, VM_OPT_STRING, ROW(signal), "x,y,z",
      "deflection (x, y, mm) and grid (z, drive 0..1) in CSV and plot instead of light; no place is "
-     "needed",
+     "needed; by default of one refresh of the vector head, of four lines of the raster head",
      0, 0},
     {"field", 0, VM_OPT_CHOICE, ROW(field), "10|30|50|70",
      "how wide the field is that the viewer looks at, degrees; default 30", 0, 0},

@@ -210,6 +210,7 @@ fails "a signal that there is not" 2 "is not x, y or z" dot.df --signal x,w --cs
 fails "a signal at a place" 2 "leave out --at" dot.df --signal x --at 1,1 --csv -
 fails "a signal for nobody" 2 "nothing is to be written" dot.df --signal x
 fails "a rate without samples" 2 "--rate is for --csv" dot.df --at 512,512 --rate 1000
+fails "too many samples" 2 "that would be 1e+11 samples" dot.df --signal x --csv - --rate 1e12 --from 0.5s --to 0.6s
 fails "a size without a plot" 2 "are for -o" dot.df --at 512,512 --size 640x480
 fails "one file for two" 2 "give two names" dot.df --at 512,512 --csv a -o a
 fails "a time that ends before it begins" 2 "--to must be later" dot.df --at 512,512 --from 1s --to 0.5s
