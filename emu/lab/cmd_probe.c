@@ -38,8 +38,8 @@ static const struct vm_option rows[] = {
      "lines between them are within a thousandth of the curve; - is standard output, without JSON "
      "then",
      0, 0},
-    {"rate", 0, VM_OPT_RATE, ROW(rate), "HZ", "samples a second instead, evenly from --from on", 0,
-     0},
+    {"rate", 0, VM_OPT_REAL, ROW(rate), "HZ", "samples a second instead, evenly from --from on",
+     0.1, 1e12},
     {"out", 'o', VM_OPT_STRING, ROW(out), "PLOT.png", "the curve as a plot", 0, 0},
     {"size", 0, VM_OPT_SIZE, ROW(size), "WxH", "of the plot; default 1280x720", 0, 0},
     {"projector", 0, VM_OPT_FLAG, ROW(projector), "", "large letters and thick lines in the plot",
@@ -47,7 +47,7 @@ static const struct vm_option rows[] = {
     {"log", 0, VM_OPT_FLAG, ROW(log), "", "luminance in the plot by decades", 0, 0},
     {"signal", 0, VM_OPT_STRING, ROW(signal), "x,y,z",
      "deflection (x, y, mm) and grid (z, drive 0..1) in CSV and plot instead of light; no place is "
-     "needed",
+     "needed; by default of one refresh of the vector head, of four lines of the raster head",
      0, 0},
     {"field", 0, VM_OPT_CHOICE, ROW(field), "10|30|50|70",
      "how wide the field is that the viewer looks at, degrees; default 30", 0, 0},
@@ -144,7 +144,7 @@ static bool check_options(struct vm_probe_job *job, struct crt_error *err)
     const struct vm_probe_options *o = &job->o;
     if (!(o->signal ? check_signals(job, err) : check_sensor(job, err)))
         return false;
-    if (o->rate.num && !o->csv)
+    if (o->rate > 0 && !o->csv)
         return crt_fail(err, "--rate is for --csv FILE");
     if (!o->out && (o->size.width || o->projector || o->log))
         return crt_fail(err, "--size, --projector and --log are for -o PLOT.png");
@@ -217,9 +217,7 @@ static bool write_plot(struct vm_probe_job *job, struct vm_probe *probe,
 static bool write_csv(struct vm_probe_job *job, struct vm_probe *probe, struct crt_error *err)
 {
     struct vm_probe_wave wave;
-    struct crt_rate rate = job->o.rate;
-    double hz = rate.num ? (double)rate.num / (double)rate.den : 0;
-    if (!vm_probe_wave(probe, job->from, job->to, hz, &wave, err))
+    if (!vm_probe_wave(probe, job->from, job->to, job->o.rate, &wave, err))
         return false;
     bool ok = vm_probe_write_csv(job->o.csv, probe, &wave, err);
     vm_probe_wave_free(&wave);

@@ -24,9 +24,8 @@
 struct vm_probe_options {
     const char *place, *along, *csv, *out, *signal, *field;
     struct vm_time from, to;
-    struct crt_rate rate;
     struct vm_size size;
-    double area, pupil, luminance;
+    double area, pupil, luminance, rate;
     bool screen, projector, log, allow_dark;
     struct vm_moment_options moment;
     struct vm_saved_options saved;
