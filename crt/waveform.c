@@ -47,18 +47,25 @@ static double area_of(const struct measuring *m, const struct crt_diode_stretch 
     return sum;
 }
 
-/* When the luminance crosses the level, once between a and b. */
+/* When the luminance crosses the level, once: regula falsi, halving what stays put (Illinois). */
 static double crossing_in(const struct measuring *m, const struct crt_diode_stretch *s,
                           double level)
 {
-    double a = 0, b = s->seconds;
-    bool falls = s->first > level;
-    for (int i = 0; i < 60; i++) {
-        double middle = (a + b) / 2;
-        if ((crt_stretch_at(m->phosphor, s, middle) > level) == falls)
-            a = middle;
-        else
+    double a = 0, b = s->seconds, fa = s->first - level, fb = s->last - level;
+    for (int i = 0; i < 60 && b - a > 1e-13 * s->seconds; i++) {
+        double middle = i % 8 == 7 ? (a + b) / 2 : (a * fb - b * fa) / (fb - fa);
+        double f = crt_stretch_at(m->phosphor, s, middle) - level;
+        if (fabs(f) < 1e-14 * level)
+            return middle;
+        if ((f > 0) == (fb > 0)) {
             b = middle;
+            fb = f;
+            fa /= 2;
+        } else {
+            a = middle;
+            fa = f;
+            fb /= 2;
+        }
     }
     return (a + b) / 2;
 }

@@ -20,8 +20,9 @@ static const struct vm_option rows[] = {
      0.001, 1000},
     {"screen", 0, VM_OPT_FLAG, ROW(screen), "", "the mean over the whole screen instead", 0, 0},
     {"from", 0, VM_OPT_TIME, ROW(from), "T",
-     "begin then; default: once the picture stands and the phosphor has settled to a thousandth", 0,
-     0},
+     "begin then; default: once the picture stands and the phosphor has settled to 1e-4, or for 10 "
+     "s",
+     0, 0},
     {"to", 0, VM_OPT_TIME, ROW(to), "T",
      "end before then; default: six refreshes or a tenth of a second later, whichever is longer", 0,
      0},

@@ -8,7 +8,7 @@
 #include "emu/trouble.h"
 #include "emu/view.h"
 
-#define UNSETTLED 1e-3                /* part of the steady light that may still be missing */
+#define UNSETTLED 1e-4                /* part of the steady light that may still be missing */
 #define LEAD_MOST (10 * CRT_PS_PER_S) /* no phosphor is waited for longer */
 #define PERIODS   6                   /* of the default time, at least */
 #define LENGTH_PS (CRT_PS_PER_S / 10) /* the same */

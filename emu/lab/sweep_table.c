@@ -143,6 +143,7 @@ static void print_subject(FILE *to, const struct vm_sweep *s)
 
 static void print_legend(FILE *to, const struct vm_sweep *s)
 {
+    char porter[200];
     fputc('\n', to);
     if (s->fields == 1)
         vm_print_wrapped(to,
@@ -157,6 +158,13 @@ static void print_legend(FILE *to, const struct vm_sweep *s)
                          "that is the limit.",
                          0);
     vm_print_wrapped(to, vm_sweep_model, 0);
+    if (s->luminances > 1)
+        return;
+    snprintf(porter, sizeof porter,
+             "For comparison: a small flashing field in the centre of the eye fuses at %.0f Hz, "
+             "whatever the phosphor (Ferry and Porter's law, its constants estimated).",
+             crt_cff_ferry_porter(s->cd_m2[0], s->pupil_mm));
+    vm_print_wrapped(to, porter, 0);
 }
 
 void vm_sweep_print(FILE *to, const struct vm_sweep *s)
@@ -183,14 +191,19 @@ static void print_line(FILE *to, const struct vm_sweep *s, struct vm_sweep_at at
     struct vm_sweep_cell c = vm_sweep_cell(s, &at);
     fprintf(to, "%s,%.9g,%.9g,%.0f,%.9g", s->phosphor[at.phosphor]->name, s->cd_m2[at.luminance],
             s->rate_hz[at.rate], field_deg(s, at.field), s->pupil_mm);
-    fprintf(to, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%s\n", c.c1, c.percent_flicker, c.flicker_index,
+    fprintf(to, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%s", c.c1, c.percent_flicker, c.flicker_index,
             c.cff_hz, c.margin_hz, c.limit_cd_m2, c.flickers ? "yes" : "no");
+    fprintf(to, ",%.9g,%s,", crt_cff_ferry_porter(s->cd_m2[at.luminance], s->pupil_mm),
+            crt_ieee1789_name(c.ieee1789));
+    if (c.svm >= 0)
+        fprintf(to, "%.9g", c.svm);
+    fputc('\n', to);
 }
 
 void vm_sweep_print_csv(FILE *to, const struct vm_sweep *s)
 {
     fputs("phosphor,cd_m2,refresh_hz,field_deg,pupil_mm,c1,percent_flicker,flicker_index,cff_hz,"
-          "margin_hz,limit_cd_m2,flickers\n",
+          "margin_hz,limit_cd_m2,flickers,ferry_porter_hz,ieee1789,svm\n",
           to);
     struct vm_sweep_at at;
     for (at.phosphor = 0; at.phosphor < s->phosphors; at.phosphor++)

@@ -141,7 +141,8 @@ static void steady_state(const struct crt_tube_row *row, const struct crt_phosph
     struct crt_waveform_figures f;
     crt_waveform_measure(d, t0, t1, hz, &f);
     double sigma = spot.sigma_mm;
-    double mean = spot.power * s.dwell * hz * exp(-0.01 / (2 * sigma * sigma)) / (2 * PI * sigma * sigma);
+    double mean =
+        spot.power * s.dwell * hz * exp(-0.01 / (2 * sigma * sigma)) / (2 * PI * sigma * sigma);
     double peak = steady_at(&s, 0), least = steady_at(&s, 1 / s.hz - s.dwell);
     near("mean", &s, f.mean_cd_m2, mean, 1e-6 * mean);
     near("peak", &s, f.peak_cd_m2, peak * mean, 1e-6 * peak * mean);
