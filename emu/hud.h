@@ -49,8 +49,9 @@ void vm_hud_mark(struct vm_hud *hud, enum vm_hud_mark which, double x, double y,
 /* The pen's. */
 void vm_hud_ring(struct vm_hud *hud, double x, double y, double radius);
 
-/* A picture of 8 bits in the upper right corner, copied; NULL: none. Not shown where it does not fit. */
-void vm_hud_picture(struct vm_hud *hud, const struct crt_image *image);
+/* A picture of 8 bits in the upper right corner and a text under it, copied; NULL: none. Not shown where it
+ * does not fit. */
+void vm_hud_picture(struct vm_hud *hud, const struct crt_image *image, const char *caption);
 
 /* The colour of the text, 0…255 sRGB: the tube's phosphor. Mixed with white until it is legible. */
 void vm_hud_tint(struct vm_hud *hud, int red, int green, int blue);
