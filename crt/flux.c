@@ -67,15 +67,17 @@ static void part_of(const struct crt_flux_span *span, double a, double b, double
                    : value_at(span->q, (crt_flux_time(a, b, i) - middle) / half);
 }
 
-double crt_flux_sum(const struct crt_flux_span *span, double a, double b)
+struct crt_flux_part crt_flux_part(const struct crt_flux_span *span, double a, double b)
 {
-    double q[CRT_FLUX_NODES], sum = 0;
-    if (span->constant)
-        return span->q[0] * (b - a);
+    struct crt_flux_part part = {.span = span, .a = a, .b = b};
+    double q[CRT_FLUX_NODES], half = (b - a) / 2;
     part_of(span, a, b, q);
-    for (int i = 0; i < CRT_FLUX_NODES; i++)
-        sum += crt_flux_load[i] * q[i];
-    return sum * (b - a) / 2;
+    for (int i = 0; i < CRT_FLUX_NODES; i++) {
+        double light = crt_flux_load[i] * q[i] * half, before = half * (1 - crt_flux_node[i]);
+        for (int n = 0; n < CRT_FLUX_MOMENTS; n++, light *= before)
+            part.m[n] += light;
+    }
+    return part;
 }
 
 /* Of a stretch in which the exponential is smooth. */
@@ -89,8 +91,16 @@ static double faded_smoothly(const struct crt_flux_span *span, double a, double 
     return sum * (b - a) / 2;
 }
 
-double crt_flux_faded(const struct crt_flux_span *span, double a, double b, double tau_s)
+double crt_flux_faded(const struct crt_flux_part *part, double tau_s)
 {
+    const struct crt_flux_span *span = part->span;
+    double a = part->a, b = part->b, rate = 1 / tau_s;
+    if ((b - a) * rate < 0.1) {
+        const double *m = part->m; /* 0.1^6/720 = 1e-9 */
+        return m[0] -
+               rate * (m[1] -
+                       rate / 2 * (m[2] - rate / 3 * (m[3] - rate / 4 * (m[4] - rate / 5 * m[5]))));
+    }
     if (span->constant)
         return span->q[0] * tau_s * -crt_expm1(-(b - a) / tau_s);
     /* Back from the end, in time constants; what is older is below e^−40. */

@@ -18,6 +18,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "crt/maths.h"
+
 #define CRT_FLUX_NODES   8
 #define CRT_FLUX_MOMENTS 6
 
@@ -48,9 +50,15 @@ void crt_flux_free(struct crt_flux *flux);
 /* Time of node i of [from, to). */
 double crt_flux_time(double from, double to, int i);
 
-/* Integrals over [a, b) within a span: of q; of q·e^(−(b − t)/tau); of q·e^(−jωt). */
-double crt_flux_sum(const struct crt_flux_span *span, double a, double b);
-double crt_flux_faded(const struct crt_flux_span *span, double a, double b, double tau_s);
+/* [a, b) of a span, with its light's moments ∫ q·(b − t)^n. */
+struct crt_flux_part {
+    const struct crt_flux_span *span;
+    double a, b, m[CRT_FLUX_MOMENTS];
+};
+struct crt_flux_part crt_flux_part(const struct crt_flux_span *span, double a, double b);
+
+/* ∫ q·e^(−(b − t)/tau) over the part, to 1e-9; and ∫ q·e^(−jωt) over [a, b) of a span. */
+double crt_flux_faded(const struct crt_flux_part *part, double tau_s);
 void crt_flux_turned(const struct crt_flux_span *span, double a, double b, double omega, double *re,
                      double *im);
 
@@ -61,5 +69,11 @@ struct crt_flux_moments crt_flux_moments(const struct crt_flux *flux, int beam);
 bool crt_flux_brief(const struct crt_flux_moments *m, double rate);
 double crt_flux_brief_faded(const struct crt_flux_moments *m, double at, double tau_s);
 void crt_flux_brief_turned(const struct crt_flux_moments *m, double omega, double *re, double *im);
+
+/* e^(−x), x >= 0: in the short steps of a walk along spans x is small. */
+static inline double crt_flux_fade(double x)
+{
+    return x < 1e-3 ? 1 - x * (1 - x / 2 * (1 - x / 3 * (1 - x / 4))) : crt_exp(-x);
+}
 
 #endif

@@ -91,7 +91,7 @@ static void drop_pieces(struct crt_photodiode *d)
 {
     for (size_t i = d->first; i < d->count; i++)
         free(d->piece[i].cut);
-    d->first = d->count = d->shown = d->cursor_at = 0;
+    d->first = d->count = d->shown = d->cursor_at = d->marks = 0;
     d->flux_of = SIZE_MAX;
 }
 
@@ -111,6 +111,7 @@ void crt_photodiode_close(struct crt_photodiode *d)
         free(d->energy[i]);
     free(d->piece);
     free(d->end);
+    free(d->mark);
     free(d->deposit);
     free(d);
 }
@@ -243,6 +244,7 @@ static void close_up(struct crt_photodiode *d)
     d->count -= gone;
     d->shown -= gone;
     d->cursor_at -= gone;
+    crt_diode_move_marks(d, gone);
     d->flux_of = SIZE_MAX;
 }
 
@@ -257,6 +259,7 @@ void crt_photodiode_forget(struct crt_photodiode *d, uint64_t t)
         free(d->piece[first].cut);
         d->piece[first].cut = NULL;
     }
+    crt_diode_drop_marks(d, first);
     d->first = first;
     d->from = t;
     if (d->cursor_at < first) {

@@ -52,6 +52,13 @@ struct crt_diode_store {
     double cd_m2[CRT_MAX_TERMS];
 };
 
+/* The cursor at every CRT_MARK_STEP-th piece, for going back. */
+#define CRT_MARK_STEP 64
+struct crt_diode_mark {
+    struct crt_diode_store store;
+    size_t at; /* the first piece not passed */
+};
+
 /* Energy of a dot by what the amplifier comes from and goes to, in parts of a dot at full drive. */
 struct crt_dot_energy {
     struct crt_line_way way;
@@ -67,6 +74,8 @@ struct crt_photodiode {
     uint64_t from;
     struct crt_diode_store base, cursor;
     size_t cursor_at; /* the first piece the cursor has not passed */
+    struct crt_diode_mark *mark;
+    size_t marks, mark_room;
     struct crt_diode_piece *piece;
     double *end; /* [piece][term]: cd/m² at `done` */
     size_t first, count, room;
@@ -140,6 +149,9 @@ void crt_diode_decay(const struct crt_photodiode *diode, const struct crt_diode_
                      uint64_t t, double cd_m2[CRT_MAX_TERMS]);
 /* The store after piece i. */
 void crt_diode_pass(const struct crt_photodiode *diode, struct crt_diode_store *store, size_t i);
+/* Pieces before `first` were passed into the base; then pieces move forward by `by`. */
+void crt_diode_drop_marks(struct crt_photodiode *diode, size_t first);
+void crt_diode_move_marks(struct crt_photodiode *diode, size_t by);
 
 /* A stretch of time in which luminance follows start·e^(−t/τ) + toward·(1 − e^(−t/τ)) by term: exactly in the
  * dark; while light falls, as if it fell evenly. */
@@ -147,7 +159,12 @@ struct crt_diode_stretch {
     double at_s, seconds; /* from t0 of the walk */
     bool lit;
     double start[CRT_MAX_TERMS], toward[CRT_MAX_TERMS];
+    double end[CRT_MAX_TERMS]; /* exactly */
+    double first, last;        /* sums of start and end */
 };
+/* Of a stretch, t seconds after it began. */
+double crt_stretch_at(const struct crt_phosphor *phosphor, const struct crt_diode_stretch *s,
+                      double t);
 typedef void crt_stretch_fn(void *context, const struct crt_diode_stretch *stretch);
 void crt_diode_walk(struct crt_photodiode *diode, uint64_t t0, uint64_t t1, crt_stretch_fn *each,
                     void *context);

@@ -46,13 +46,11 @@ const struct crt_flux *crt_diode_flux_of(struct crt_photodiode *d, size_t i)
     return &d->flux;
 }
 
-/* What of the span's light the term shows at the end of `to`, cd/m² per weight. */
-static double shown(const struct crt_flux_span *span, double to, double at, double tau_s)
+/* What of the part's light a term shows later, cd/m² per weight. */
+static double shown(const struct crt_flux_part *part, double at, double tau_s)
 {
-    double ago = (at - to) / tau_s;
-    if (ago > FADED)
-        return 0;
-    return crt_flux_faded(span, span->from, to, tau_s) / tau_s * crt_exp(-ago);
+    double ago = (at - part->b) / tau_s;
+    return ago > FADED ? 0 : crt_flux_faded(part, tau_s) / tau_s * crt_flux_fade(ago);
 }
 
 /* All of a beam at a moment after it. */
@@ -63,9 +61,13 @@ static double beam_at(const struct crt_diode_piece *piece, const struct crt_flux
     if (crt_flux_brief(m, 1 / tau_s))
         return crt_flux_brief_faded(m, at, tau_s) / tau_s;
     double sum = 0;
-    for (size_t i = 0; i < flux->count; i++)
-        if (flux->at[i].beam == beam)
-            sum += shown(&flux->at[i], flux->at[i].to, at, tau_s);
+    for (size_t i = 0; i < flux->count; i++) {
+        const struct crt_flux_span *span = &flux->at[i];
+        if (span->beam != beam)
+            continue;
+        struct crt_flux_part part = crt_flux_part(span, span->from, span->to);
+        sum += shown(&part, at, tau_s);
+    }
     return sum;
 }
 
@@ -113,10 +115,13 @@ void crt_diode_piece_at(struct crt_photodiode *d, size_t i, uint64_t t, double c
     const struct crt_flux *flux = at > piece->lit0_s ? crt_diode_flux_of(d, i) : NULL;
     for (size_t n = 0; flux && n < flux->count; n++) {
         const struct crt_flux_span *span = &flux->at[n];
-        for (int k = 0; k < terms && span->from < at; k++) {
+        if (span->from >= at)
+            continue;
+        struct crt_flux_part part = crt_flux_part(span, span->from, fmin(span->to, at));
+        for (int k = 0; k < terms; k++) {
             double weight = crt_diode_weight(d, piece, span->beam, k);
             if (weight > 0)
-                cd_m2[k] += weight * shown(span, fmin(span->to, at), at, term[k].tau_s);
+                cd_m2[k] += weight * shown(&part, at, term[k].tau_s);
         }
     }
 }

@@ -1,6 +1,8 @@
 /* Reading a photodiode: luminance, shares, integrals. */
 #include <assert.h>
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "crt/maths.h"
 #include "crt/photodiode_parts.h"
@@ -32,14 +34,62 @@ void crt_diode_pass(const struct crt_photodiode *d, struct crt_diode_store *stor
     store->t = later ? piece->done : store->t;
 }
 
+/* Remembers where the cursor stands, unless memory is out: then going back takes longer. */
+static void mark(struct crt_photodiode *d)
+{
+    size_t last = d->marks > 0 ? d->mark[d->marks - 1].at : d->first;
+    if (d->cursor_at < last + CRT_MARK_STEP)
+        return;
+    if (d->marks == d->mark_room) {
+        size_t room = d->mark_room ? 2 * d->mark_room : 16;
+        struct crt_diode_mark *marks = realloc(d->mark, room * sizeof *marks);
+        if (!marks)
+            return;
+        d->mark = marks;
+        d->mark_room = room;
+    }
+    d->mark[d->marks++] = (struct crt_diode_mark){d->cursor, d->cursor_at};
+}
+
+/* To the last mark not after t, or the base. */
+static void go_back(struct crt_photodiode *d, uint64_t t)
+{
+    size_t low = 0, high = d->marks;
+    while (low < high) {
+        size_t middle = (low + high) / 2;
+        if (d->mark[middle].store.t <= t)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    d->cursor = low > 0 ? d->mark[low - 1].store : d->base;
+    d->cursor_at = low > 0 ? d->mark[low - 1].at : d->first;
+}
+
+void crt_diode_drop_marks(struct crt_photodiode *d, size_t first)
+{
+    size_t gone = 0;
+    while (gone < d->marks && d->mark[gone].at < first)
+        gone++;
+    d->marks -= gone;
+    if (gone > 0)
+        memmove(d->mark, d->mark + gone, d->marks * sizeof d->mark[0]);
+}
+
+void crt_diode_move_marks(struct crt_photodiode *d, size_t by)
+{
+    for (size_t i = 0; i < d->marks; i++)
+        d->mark[i].at -= by;
+}
+
 static void move_cursor(struct crt_photodiode *d, uint64_t t)
 {
-    if (t < d->cursor.t) {
-        d->cursor = d->base;
-        d->cursor_at = d->first;
-    }
-    while (d->cursor_at < d->count && d->piece[d->cursor_at].done <= t)
+    if (t < d->cursor.t)
+        go_back(d, t);
+    while (d->cursor_at < d->count && d->piece[d->cursor_at].done <= t) {
         crt_diode_pass(d, &d->cursor, d->cursor_at++);
+        mark(d);
+    }
 }
 
 void crt_photodiode_terms(struct crt_photodiode *d, uint64_t t, double cd_m2[CRT_MAX_TERMS])

@@ -26,15 +26,35 @@ static double tau_of(const struct walk *w, int k)
     return w->d->tube->desc.phosphor->term[k].tau_s;
 }
 
+double crt_stretch_at(const struct crt_phosphor *phosphor, const struct crt_diode_stretch *s,
+                      double t)
+{
+    double sum = 0;
+    for (int k = 0; k < phosphor->terms; k++)
+        sum += s->toward[k] + (s->start[k] - s->toward[k]) * crt_exp(-t / phosphor->term[k].tau_s);
+    return sum;
+}
+
+/* Goes on from the stretch's end. */
+static void tell(struct walk *w, struct crt_diode_stretch *s)
+{
+    for (int k = 0; k < crt_diode_terms(w->d); k++) {
+        s->first += s->start[k];
+        s->last += s->end[k];
+    }
+    w->each(w->context, s);
+    memcpy(w->cd_m2, s->end, sizeof w->cd_m2);
+}
+
 static void walk_dark(struct walk *w, double from, double to)
 {
     struct crt_diode_stretch s = {.at_s = from, .seconds = to - from};
     if (!(from < to))
         return;
     memcpy(s.start, w->cd_m2, sizeof s.start);
-    w->each(w->context, &s);
     for (int k = 0; k < crt_diode_terms(w->d); k++)
-        w->cd_m2[k] *= crt_exp(-s.seconds / tau_of(w, k));
+        s.end[k] = s.start[k] * crt_flux_fade(s.seconds / tau_of(w, k));
+    tell(w, &s);
 }
 
 /* The spans of one beam, passed in order of time. */
@@ -72,25 +92,23 @@ static void walk_span(struct walk *w, const struct crt_diode_piece *piece,
                       const struct passing *passing, double from, double to, double offset)
 {
     struct crt_diode_stretch s = {.at_s = offset + from, .seconds = to - from, .lit = true};
-    double then[CRT_MAX_TERMS];
     memcpy(s.start, w->cd_m2, sizeof s.start);
     for (int k = 0; k < crt_diode_terms(w->d); k++)
-        then[k] = s.start[k] * crt_exp(-s.seconds / tau_of(w, k));
+        s.end[k] = s.start[k] * crt_flux_fade(s.seconds / tau_of(w, k));
     for (int beam = 0; beam < piece->beams; beam++) {
         const struct crt_flux_span *span = passing[beam].at;
         if (span >= passing[beam].end || span->from >= to)
             continue;
-        double rate = crt_flux_sum(span, from, to) / s.seconds;
+        struct crt_flux_part part = crt_flux_part(span, from, to);
         for (int k = 0; k < crt_diode_terms(w->d); k++) {
             double weight = crt_diode_weight(w->d, piece, beam, k), tau = tau_of(w, k);
             if (!(weight > 0))
                 continue;
-            s.toward[k] += weight * rate;
-            then[k] += weight * crt_flux_faded(span, from, to, tau) / tau;
+            s.toward[k] += weight * part.m[0] / s.seconds;
+            s.end[k] += weight * crt_flux_faded(&part, tau) / tau;
         }
     }
-    w->each(w->context, &s);
-    memcpy(w->cd_m2, then, sizeof then);
+    tell(w, &s);
 }
 
 static void walk_piece(struct walk *w, size_t i, double from, double to, double offset)

@@ -25,15 +25,6 @@ struct measuring {
     struct summit summit[SUMMITS];
 };
 
-static double value_in(const struct measuring *m, const struct crt_diode_stretch *s, double t)
-{
-    double sum = 0;
-    for (int k = 0; k < m->phosphor->terms; k++)
-        sum +=
-            s->toward[k] + (s->start[k] - s->toward[k]) * crt_exp(-t / m->phosphor->term[k].tau_s);
-    return sum;
-}
-
 /* ∫ from a to b, seconds of the stretch. */
 static double area_in(const struct measuring *m, const struct crt_diode_stretch *s, double a,
                       double b)
@@ -47,15 +38,24 @@ static double area_in(const struct measuring *m, const struct crt_diode_stretch 
     return sum;
 }
 
+/* ∫ of all of it: stored light S changes by what falls less what is emitted. */
+static double area_of(const struct measuring *m, const struct crt_diode_stretch *s)
+{
+    double sum = 0;
+    for (int k = 0; k < m->phosphor->terms; k++)
+        sum += m->phosphor->term[k].tau_s * (s->start[k] - s->end[k]) + s->toward[k] * s->seconds;
+    return sum;
+}
+
 /* When the luminance crosses the level, once between a and b. */
 static double crossing_in(const struct measuring *m, const struct crt_diode_stretch *s,
                           double level)
 {
     double a = 0, b = s->seconds;
-    bool falls = value_in(m, s, 0) > level;
+    bool falls = s->first > level;
     for (int i = 0; i < 60; i++) {
         double middle = (a + b) / 2;
-        if ((value_in(m, s, middle) > level) == falls)
+        if ((crt_stretch_at(m->phosphor, s, middle) > level) == falls)
             a = middle;
         else
             b = middle;
@@ -82,9 +82,17 @@ static void note_peak(struct measuring *m, double height, double at_s)
 static void note_summit(struct measuring *m, struct summit summit)
 {
     int lowest = 0;
-    for (int i = 1; i < SUMMITS; i++)
-        if (m->summit[i].height < m->summit[lowest].height)
+    for (int i = 0; i < SUMMITS; i++) {
+        struct summit *known = &m->summit[i];
+        if (fabs(known->height - summit.height) < 1e-9 * summit.height) {
+            /* The other side of that end; or the same again, a refresh later. */
+            if (fabs(known->to_s - summit.from_s) < 1e-12)
+                known->to_s = summit.to_s;
+            return;
+        }
+        if (known->height < m->summit[lowest].height)
             lowest = i;
+    }
     if (summit.height > m->summit[lowest].height)
         m->summit[lowest] = summit;
 }
@@ -92,11 +100,10 @@ static void note_summit(struct measuring *m, struct summit summit)
 static void note_ends(void *context, const struct crt_diode_stretch *s)
 {
     struct measuring *m = context;
-    double first = value_in(m, s, 0), last = value_in(m, s, s->seconds);
-    m->least = fmin(m->least, fmin(first, last));
-    note_peak(m, first, s->at_s);
+    m->least = fmin(m->least, fmin(s->first, s->last));
+    note_peak(m, s->first, s->at_s);
     if (s->lit)
-        note_summit(m, (struct summit){fmax(first, last), s->at_s, s->at_s + s->seconds});
+        note_summit(m, (struct summit){fmax(s->first, s->last), s->at_s, s->at_s + s->seconds});
 }
 
 /* The highest luminance in a stretch with one summit, by golden section. */
@@ -141,12 +148,13 @@ static void find_peak(struct measuring *m)
 static void add_above(void *context, const struct crt_diode_stretch *s)
 {
     struct measuring *m = context;
-    bool first = value_in(m, s, 0) > m->mean, last = value_in(m, s, s->seconds) > m->mean;
+    bool first = s->first > m->mean, last = s->last > m->mean;
     if (!first && !last)
         return;
-    double at = first == last ? s->seconds : crossing_in(m, s, m->mean);
+    double at = first == last ? 0 : crossing_in(m, s, m->mean);
     double a = first ? 0 : at, b = last ? s->seconds : at;
-    m->above += area_in(m, s, a, b) - m->mean * (b - a);
+    double area = first == last ? area_of(m, s) : area_in(m, s, a, b);
+    m->above += area - m->mean * (b - a);
 }
 
 /* From the peak until a tenth is left of what is stored then. */
@@ -159,10 +167,11 @@ static double persistence_10(const struct measuring *m)
         s.start[k] = term[k];
         longest = fmax(longest, m->phosphor->term[k].tau_s);
     }
-    double b = 2.4 * longest, level = 0.1 * value_in(m, &s, 0); /* e^-2.4 is less than a tenth */
+    double b = 2.4 * longest,
+           level = 0.1 * crt_stretch_at(m->phosphor, &s, 0); /* e^-2.4 is less than a tenth */
     for (int i = 0; i < 80; i++) {
         double middle = (a + b) / 2;
-        if (value_in(m, &s, middle) > level)
+        if (crt_stretch_at(m->phosphor, &s, middle) > level)
             a = middle;
         else
             b = middle;

@@ -1,7 +1,6 @@
 /* What a photodiode saw, as samples. */
 #include <math.h>
 
-#include "crt/maths.h"
 #include "crt/photodiode_parts.h"
 #include "crt/share.h"
 #include "crt/tube_parts.h"
@@ -27,24 +26,15 @@ struct columns {
     struct crt_waveform_range *range;
 };
 
-static double value_in(const struct columns *c, const struct crt_diode_stretch *s, double t)
-{
-    double sum = 0;
-    for (int k = 0; k < c->phosphor->terms; k++)
-        sum +=
-            s->toward[k] + (s->start[k] - s->toward[k]) * crt_exp(-t / c->phosphor->term[k].tau_s);
-    return sum;
-}
-
 /* Extremes are at the ends of a stretch, or of the column. */
 static void add_stretch(void *context, const struct crt_diode_stretch *s)
 {
     struct columns *c = context;
     size_t at = (size_t)fmax(floor(s->at_s / c->seconds), 0);
     for (; at < c->n && (double)at * c->seconds < s->at_s + s->seconds; at++) {
-        double end = fmin((double)(at + 1) * c->seconds, s->at_s + s->seconds);
-        double begin = fmax((double)at * c->seconds, s->at_s);
-        double v[2] = {value_in(c, s, begin - s->at_s), value_in(c, s, end - s->at_s)};
+        double begin = (double)at * c->seconds - s->at_s, end = begin + c->seconds;
+        double v[2] = {begin > 0 ? crt_stretch_at(c->phosphor, s, begin) : s->first,
+                       end < s->seconds ? crt_stretch_at(c->phosphor, s, end) : s->last};
         for (int i = 0; i < 2; i++) {
             c->range[at].least = fmin(c->range[at].least, v[i]);
             c->range[at].most = fmax(c->range[at].most, v[i]);

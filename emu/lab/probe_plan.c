@@ -9,7 +9,7 @@
 #include "emu/view.h"
 
 #define UNSETTLED 1e-3                /* part of the steady light that may still be missing */
-#define LEAD_MOST (30 * CRT_PS_PER_S) /* no phosphor is waited for longer */
+#define LEAD_MOST (10 * CRT_PS_PER_S) /* no phosphor is waited for longer */
 #define PERIODS   6                   /* of the default time, at least */
 #define LENGTH_PS (CRT_PS_PER_S / 10) /* the same */
 #define PATIENCE  (10 * CRT_PS_PER_S) /* for so many refreshes */

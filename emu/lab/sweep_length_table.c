@@ -29,36 +29,40 @@ static void print_bound(FILE *to, const struct vm_length *l)
 {
     const struct vm_steady *s = &l->steady;
     double tick_hz = crt_rate_hz(s->tick);
-    char text[400], time[32];
+    char text[400], time[32], bound[64];
     vm_format_time(s->longest, time, sizeof time);
+    snprintf(bound, sizeof bound, "Below %.1f Hz (%.3g cd/m2 then) it flickers", s->hz,
+             vm_steady_luminance(s, s->hz));
     if (s->hz <= VM_STEADY_LEAST_HZ)
         snprintf(text, sizeof text,
                  "Too dim to flicker at %g Hz or more; the model does not hold for less.",
                  VM_STEADY_LEAST_HZ);
     else if (s->ticks == 0)
-        snprintf(text, sizeof text,
-                 "Below %.1f Hz it flickers: running freely a refresh may take %s; locked to the "
-                 "tick of %.4g Hz it flickers however short the list.",
-                 s->hz, time, tick_hz);
+        snprintf(
+            text, sizeof text,
+            "%s: running freely a refresh may take %s; locked to the tick of %.4g Hz it flickers "
+            "however short the list.",
+            bound, time, tick_hz);
     else
-        snprintf(text, sizeof text,
-                 "Below %.1f Hz it flickers: running freely a refresh may take %s; locked to the "
-                 "tick of %.4g Hz, %d tick%s, which is %.4g Hz.",
-                 s->hz, time, tick_hz, s->ticks, s->ticks == 1 ? "" : "s", tick_hz / s->ticks);
+        snprintf(
+            text, sizeof text,
+            "%s: running freely a refresh may take %s; locked to the tick of %.4g Hz, %d tick%s, "
+            "which is %.4g Hz.",
+            bound, time, tick_hz, s->ticks, s->ticks == 1 ? "" : "s", tick_hz / s->ticks);
     vm_print_wrapped(to, text, 0);
 }
 
 /* ---- the longest lists -------------------------------------------------------------------------- */
 
-static void print_range(FILE *to, const long *n)
+static void print_range(FILE *to, const long *n, int width)
 {
-    char text[48];
+    char text[96];
     if (n[DF_TIMING_VALUE] == 0)
         snprintf(text, sizeof text, "none");
     else
         snprintf(text, sizeof text, "%ld (%ld to %ld)", n[DF_TIMING_VALUE], n[DF_TIMING_HIGH],
                  n[DF_TIMING_LOW]);
-    fprintf(to, "  %-23s", text);
+    fprintf(to, "  %-*s", width, text);
 }
 
 static void print_longest(FILE *to, const struct vm_length *l)
@@ -67,7 +71,7 @@ static void print_longest(FILE *to, const struct vm_length *l)
     const struct crt_tube_row *row = &l->settings->monitor[VM_VECTOR].row;
     fprintf(to, "\nThe longest list that does not flicker (and the range that follows from the "
                 "row's times):\n");
-    fprintf(to, "  %-32s %8s  %-23s  %s\n", "", "each", "free running", "locked to the tick");
+    fprintf(to, "  %-34s %8s  %-23s  %s\n", "", "each", "free running", "locked to the tick");
     for (int k = 0; k < VM_LIST_KINDS; k++) {
         struct vm_longest most = vm_length_longest(l, (enum vm_list_kind)k);
         struct vm_list_shape s = vm_length_shape(l, (enum vm_list_kind)k, false);
@@ -80,14 +84,14 @@ static void print_longest(FILE *to, const struct vm_length *l)
         }
         vm_format_time((uint64_t)vm_list_item_ps(&s, &l->timing[DF_TIMING_VALUE]), each,
                        sizeof each);
-        fprintf(to, "  %-32s %8s", name, each);
-        print_range(to, most.free);
-        print_range(to, most.locked);
-        fprintf(to, "%s\n", most.memory_ends ? "*" : "");
+        fprintf(to, "  %-34s %8s", name, each);
+        print_range(to, most.free, 23);
+        print_range(to, most.locked, 0);
+        fprintf(to, "%s\n", most.memory_ends ? " *" : "");
         full |= most.memory_ends;
     }
     if (full)
-        fprintf(to, "  * then the memory is full\n");
+        fprintf(to, "  * then, running freely, the memory is full\n");
 }
 
 /* ---- growth ------------------------------------------------------------------------------------- */

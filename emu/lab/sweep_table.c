@@ -128,13 +128,17 @@ static void print_head(FILE *to, const struct vm_sweep *s, const struct layout *
 
 static void print_subject(FILE *to, const struct vm_sweep *s)
 {
+    char who[96], at[48] = "", text[256];
     if (s->fields == 1)
-        fprintf(to, "A field of %.0f degrees across", field_deg(s, 0));
+        snprintf(who, sizeof who, "A field of %.0f degrees across", field_deg(s, 0));
     else
-        fprintf(to, "Who sees it flicker: viewers of a field of 10, 30, 50 or 70 degrees across");
+        snprintf(who, sizeof who,
+                 "Who sees it flicker, by the degrees across that the lit field takes up");
     if (s->luminances == 1)
-        fprintf(to, ", %g cd/m2 on average", s->cd_m2[0]);
-    fprintf(to, ", pupil %g mm\n\n", s->pupil_mm);
+        snprintf(at, sizeof at, "; %g cd/m2 on average", s->cd_m2[0]);
+    snprintf(text, sizeof text, "%s%s; pupil %g mm.", who, at, s->pupil_mm);
+    vm_print_wrapped(to, text, 0);
+    fputc('\n', to);
 }
 
 static void print_legend(FILE *to, const struct vm_sweep *s)

@@ -11,7 +11,6 @@
 #include "emu/debug/snapshot.h"
 #include "emu/lab/why_record.h"
 #include "emu/progress.h"
-#include "emu/view.h"
 
 /* Notes are compared with deposits after so long: few enough of them wait, whatever draws. */
 #define SLICE (CRT_PS_PER_S / 50)

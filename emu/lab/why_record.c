@@ -88,9 +88,9 @@ static void know_spot(struct vm_why_record *r)
     double widest = 0;
     for (int i = 0; i < 256; i++) {
         struct crt_spot spot = crt_spot_at(row, &r->knobs, i / 255.0);
-        r->power[i] = spot.power;
+        r->current[i] = spot.current;
         r->sigma[i] = spot.sigma_mm;
-        widest = spot.power > 0 && spot.sigma_mm > widest ? spot.sigma_mm : widest;
+        widest = spot.current > 0 && spot.sigma_mm > widest ? spot.sigma_mm : widest;
     }
     struct crt_optics optics;
     crt_optics_init(&optics, row);
@@ -136,8 +136,8 @@ static double gives(const struct vm_why_record *r, const struct dots *d, int i)
     for (int g = 0; g < d->line->guns; g++) {
         int drive = d->line->drive[g][i];
         double sigma = r->sigma[drive], away = (dx * dx + d->dy * d->dy) / (2 * sigma * sigma);
-        if (r->power[drive] > 0 && away < REACH * REACH)
-            all += (d->line->guns > 1 ? gun_weight[g] : 1) * r->power[drive] * crt_exp(-away) /
+        if (r->current[drive] > 0 && away < REACH * REACH)
+            all += (d->line->guns > 1 ? gun_weight[g] : 1) * r->current[drive] * crt_exp(-away) /
                    (sigma * sigma);
     }
     return all;
@@ -211,7 +211,7 @@ static void look_near(struct vm_why_record *r, const struct dots *d, struct vm_w
             if (i < 0 || i >= d->line->dots || (r->near && mm > r->nearest_mm))
                 continue;
             for (int g = 0; g < d->line->guns; g++)
-                lit |= r->power[d->line->drive[g][i]] > 0;
+                lit |= r->current[d->line->drive[g][i]] > 0;
             if (!lit)
                 continue;
             name_dot(r, d, i, &note);

@@ -31,7 +31,7 @@ struct vm_why_record {
     double nearest_mm, passed_mm;
     /* Of the raster tube's spot: by drive, as the knobs are. */
     struct crt_knobs knobs;
-    double power[256], sigma[256], reach_mm;
+    double current[256], sigma[256], reach_mm;
     struct vm_hooks hooks; /* for vm_machine_trace */
 };
 
