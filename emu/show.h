@@ -128,6 +128,7 @@ struct vm_show {
     int gain;         /* power of two, when not */
 
     struct vm_scope scope;
+    bool why_shown; /* a panel that any key closes */
     enum vm_where_shown where;
     bool no_flash; /* the mean light of the last second is shown */
     bool warned;   /* of flashes of this program */
@@ -239,6 +240,9 @@ void vm_show_mark_diode(struct vm_show *show);
 void vm_show_scope_close(struct vm_show *show);
 /* Beside the screenshot `name` (without .png): the plot and the figures. */
 bool vm_show_scope_save(struct vm_show *show, const char *name, struct crt_error *err);
+
+/* show_why.c: a click with Right Ctrl, or what closes its panel: true. */
+bool vm_show_why_event(struct vm_show *show, const struct vm_event *event);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
 /* show_hands.c: a mouse's or key's event becomes what a person does; after the last of a frame, flush. */

@@ -21,6 +21,7 @@ static const char *const help[] = {
     "F11\tfull screen",
     "F12\tscreenshot",
     "Right Ctrl with",
+    "click\twhy: what put the light there, with its share, word and line of the source",
     "A\twhat the photodiode sees: a point, a disc, the whole screen",
     "B C F\tchoose brightness, contrast or focus",
     "E\tchoose the shutter: auto, 1 us to 1 s",
@@ -304,6 +305,8 @@ static bool is_guests(const struct vm_show *show, const struct vm_event *event)
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event)
 {
+    if (vm_show_why_event(show, event))
+        return;
     switch (event->kind) {
     case VM_EVENT_CLOSE:
         show->quit = true;

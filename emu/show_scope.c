@@ -17,6 +17,8 @@
 #define SHOWN_S     6.0  /* host seconds of slow motion that are shown, at most */
 #define UNKNOWN_HZ  50.0 /* nothing repeats yet */
 #define SHORTEST    1e-7 /* seconds shown, at least */
+#define LONGEST_S   0.25 /* and at most */
+#define MEASURED_S  3.0
 #define SAMPLES     1000 /* of a whole screen */
 #define MARK_LEAST  5.0  /* pixels */
 #define CAPTION_MAX 300
@@ -170,7 +172,7 @@ static uint64_t since(const struct vm_scope *s, uint64_t now, double wanted_s)
 /* What is seen of it is what makes sense at this pace. */
 static double span_of(const struct vm_show *show, double hz)
 {
-    double refreshes = REFRESHES / (hz > 0 ? hz : UNKNOWN_HZ);
+    double refreshes = fmin(REFRESHES / (hz > 0 ? hz : UNKNOWN_HZ), LONGEST_S);
     return fmax(fmin(refreshes, SHOWN_S * show->scale), SHORTEST);
 }
 
@@ -256,7 +258,8 @@ static bool look(struct vm_show *show, struct crt_image *image, struct crt_error
     struct vm_probe_wave wave;
     uint64_t now = crt_photodiode_now(s->probe.diode);
     double hz = vm_probe_hz(&s->probe, since(s, now, 1), now);
-    double measured = MEASURED / (hz > 0 ? hz : UNKNOWN_HZ), span = span_of(show, hz);
+    double measured = fmin(MEASURED / (hz > 0 ? hz : UNKNOWN_HZ), MEASURED_S);
+    double span = span_of(show, hz);
     uint64_t from = since(s, now, measured), t0 = since(s, now, span);
     s->known = now > from && vm_probe_report(&s->probe, from, now, &s->report, err);
     double rate = s->kind == CRT_DIODE_SCREEN ? SAMPLES / span : 0;
