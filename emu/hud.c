@@ -14,7 +14,7 @@
 #define HELP_COLUMNS  58 /* longer lines wrap */
 #define HELP_NARROW   28 /* letters that a meaning should have */
 #define HELP_PAD      10 /* dots */
-#define PANEL_ALPHA   190
+#define PANEL_ALPHA   205
 
 struct vm_hud *vm_hud_create(struct crt_error *err)
 {
@@ -79,6 +79,12 @@ void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_
             break;
         hud->help_count++;
     }
+}
+
+void vm_hud_help_side(struct vm_hud *hud, enum vm_hud_side side)
+{
+    hud->stale |= hud->help_side != side;
+    hud->help_side = side;
 }
 
 bool vm_hud_help_shown(const struct vm_hud *hud)
@@ -231,6 +237,8 @@ static int fit_help(const struct vm_hud *hud, struct help_layout *layout)
         int most = (hud->canvas.width - 2 * HELP_PAD * dot) / (VM_LETTER_DOTS * dot);
         lay_out_help(hud, (size_t)(most < 1 ? 1 : smaller(most, HELP_COLUMNS)), layout);
         int height = ((int)layout->rows * VM_LINE_DOTS + 2 * HELP_PAD) * dot;
+        if (dot == 1 && height > hud->canvas.height) /* wider rather than cut off */
+            lay_out_help(hud, (size_t)(most < 1 ? 1 : most), layout);
         if (dot == 1 || (most >= (int)layout->indent + HELP_NARROW && height <= hud->canvas.height))
             return dot;
     }
@@ -244,6 +252,11 @@ static void draw_help(struct vm_hud *hud)
     int w = smaller((int)layout.columns * letter + 2 * pad - dot, hud->canvas.width);
     int h = smaller((int)layout.rows * VM_LINE_DOTS * dot + 2 * pad - 2 * dot, hud->canvas.height);
     struct vm_box box = {(hud->canvas.width - w) / 2, (hud->canvas.height - h) / 2, w, h};
+    int margin = MARGIN_DOTS * dot;
+    if (hud->help_side == VM_HUD_TOP)
+        box.y = smaller(margin, box.y);
+    if (hud->help_side == VM_HUD_BOTTOM)
+        box.y += box.y > margin ? box.y - margin : 0;
     vm_hud_draw_panel(hud, VM_PANEL_HELP, box, dot, VM_HUD_LEVELS);
     for (size_t i = 0; i < layout.rows; i++) {
         const struct help_row *row = &layout.row[i];

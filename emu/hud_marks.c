@@ -141,6 +141,7 @@ static void draw_picture(struct vm_hud *hud)
 void vm_hud_draw_marks(struct vm_hud *hud)
 {
     static const struct vm_colour amber = {255, 176, 64, 255}, yellow = {255, 236, 90, 255};
+    static const struct vm_colour white = {255, 255, 255, 255};
     if (hud->mark[VM_MARK_PEN].radius > 0)
         draw(hud, VM_MARK_PEN, ring, hud->ink);
     if (hud->mark[VM_MARK_BEAM].radius > 0)
@@ -149,6 +150,8 @@ void vm_hud_draw_marks(struct vm_hud *hud)
         draw(hud, VM_MARK_BEAM_RASTER, cross, amber);
     if (hud->mark[VM_MARK_DIODE].radius > 0)
         draw(hud, VM_MARK_DIODE, ring_and_cross, yellow);
+    if (hud->mark[VM_MARK_ASKED].radius > 0)
+        draw(hud, VM_MARK_ASKED, ring_and_cross, white);
     if (hud->picture)
         draw_picture(hud);
 }

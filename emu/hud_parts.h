@@ -45,6 +45,7 @@ struct vm_hud {
     int picture_width, picture_height;
     char caption[VM_HUD_TEXT];
     bool help_shown;
+    enum vm_hud_side help_side;
     char *help[VM_HUD_HELP];
     size_t help_count;
     bool stale; /* something changed since the last draw */

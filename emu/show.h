@@ -128,7 +128,9 @@ struct vm_show {
     int gain;         /* power of two, when not */
 
     struct vm_scope scope;
-    bool why_shown; /* a panel that any key closes */
+    bool why_shown; /* a panel that any key closes, about a place */
+    enum vm_head why_head;
+    double why_x_mm, why_y_mm;
     enum vm_where_shown where;
     bool no_flash; /* the mean light of the last second is shown */
     bool warned;   /* of flashes of this program */
@@ -243,6 +245,7 @@ bool vm_show_scope_save(struct vm_show *show, const char *name, struct crt_error
 
 /* show_why.c: a click with Right Ctrl, or what closes its panel: true. */
 bool vm_show_why_event(struct vm_show *show, const struct vm_event *event);
+void vm_show_mark_asked(struct vm_show *show);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
 /* show_hands.c: a mouse's or key's event becomes what a person does; after the last of a frame, flush. */

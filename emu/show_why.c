@@ -8,6 +8,7 @@
 
 #define COLUMNS 56
 #define LINES   24
+#define MARK    6.0  /* pixels */
 #define LEAST   0.01 /* smaller shares are summed up */
 
 /* The hud has ASCII letters only. */
@@ -61,7 +62,7 @@ static struct vm_why_names names_of(const struct vm_shown *p, const struct vm_so
                                  .lines = lines};
 }
 
-static void show_answer(struct vm_show *show, const struct vm_why *why)
+static void show_answer(struct vm_show *show, const struct vm_why *why, bool lower)
 {
     const struct vm_shown *p = show->program;
     struct lines lines = {.count = 0};
@@ -73,6 +74,7 @@ static void show_answer(struct vm_show *show, const struct vm_why *why)
     vm_why_lines(why, &text, keep, &lines);
     keep(&lines, "");
     keep(&lines, "Any key closes this; F5 goes on.");
+    vm_hud_help_side(show->hud, lower ? VM_HUD_TOP : VM_HUD_BOTTOM);
     vm_hud_help(show->hud, true, (const char *const *)lines.line, lines.count);
     show->why_shown = true;
     for (size_t i = 0; i < lines.count; i++)
@@ -86,6 +88,7 @@ static void ask(struct vm_show *show, double x, double y)
     struct vm_spot spot = vm_show_spot(show, x, y);
     struct vm_why why;
     struct crt_error err;
+    int width, height;
     if (!spot.on) {
         vm_show_say(show, "there is no screen");
         return;
@@ -105,7 +108,11 @@ static void ask(struct vm_show *show, double x, double y)
         vm_show_say(show, err.text);
         return;
     }
-    show_answer(show, &why);
+    vm_window_size(show->window, &width, &height);
+    show_answer(show, &why, y > height / 2.0);
+    show->why_head = spot.head;
+    show->why_x_mm = spot.x_mm;
+    show->why_y_mm = spot.y_mm;
     vm_why_free(&why);
 }
 
@@ -113,6 +120,7 @@ static void close_panel(struct vm_show *show)
 {
     show->why_shown = false;
     vm_hud_help(show->hud, false, NULL, 0);
+    vm_hud_help_side(show->hud, VM_HUD_MIDDLE);
 }
 
 bool vm_show_why_event(struct vm_show *show, const struct vm_event *event)
@@ -128,4 +136,12 @@ bool vm_show_why_event(struct vm_show *show, const struct vm_event *event)
     if (asks && pressed)
         ask(show, event->x, event->y);
     return asks || key;
+}
+
+void vm_show_mark_asked(struct vm_show *show)
+{
+    double x = 0, y = 0, pitch;
+    bool there = show->why_shown && vm_show_window_place(show, (int)show->why_head, show->why_x_mm,
+                                                         show->why_y_mm, &x, &y, &pitch);
+    vm_hud_mark(show->hud, VM_MARK_ASKED, x, y, there ? MARK : 0);
 }
