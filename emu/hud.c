@@ -4,37 +4,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "emu/canvas.h"
+#include "emu/hud_parts.h"
 
-#define TEXT_MAX      600
 #define LINES_MAX     16
 #define MARGIN_DOTS   4 /* between a panel and the edge of the window */
 #define PAD_DOTS      5 /* between a panel's edge and its text */
 #define FADE_S        0.6
 #define FADE_LEVELS   16 /* steps in which a message fades: each is a redraw */
-#define HELP_MAX      48
 #define HELP_ROWS_MAX 96
 #define HELP_GAP      3  /* letters between keys and meanings */
 #define HELP_COLUMNS  58 /* longer lines wrap */
 #define HELP_NARROW   28 /* letters that a meaning should have */
 #define HELP_PAD      10 /* dots */
 #define PANEL_ALPHA   190
-
-enum { STATUS, MESSAGE, HELP, RING, PANELS };
-
-struct vm_hud {
-    struct vm_canvas canvas;
-    struct vm_box drawn[PANELS]; /* what each panel covers on the canvas; w = 0: nothing */
-    struct vm_colour ink;
-    char status[TEXT_MAX], message[TEXT_MAX];
-    double message_end;
-    int message_level;                  /* FADE_LEVELS = opaque, 0 = gone; as drawn */
-    double ring_x, ring_y, ring_radius; /* radius 0: none */
-    bool help_shown;
-    char *help[HELP_MAX];
-    size_t help_count;
-    bool stale; /* something changed since the last draw */
-};
 
 struct vm_hud *vm_hud_create(struct crt_error *err)
 {
@@ -59,16 +41,17 @@ void vm_hud_destroy(struct vm_hud *hud)
     if (!hud)
         return;
     forget_help(hud);
+    free(hud->picture);
     vm_canvas_free(&hud->canvas);
     free(hud);
 }
 
 /* Copies a text that may be NULL or too long; tells whether it is another one. */
-static bool set_text(char to[TEXT_MAX], const char *text)
+static bool set_text(char to[VM_HUD_TEXT], const char *text)
 {
     size_t length = text ? strlen(text) : 0;
-    if (length >= TEXT_MAX)
-        length = TEXT_MAX - 1;
+    if (length >= VM_HUD_TEXT)
+        length = VM_HUD_TEXT - 1;
     bool same = strlen(to) == length && (length == 0 || memcmp(to, text, length) == 0);
     if (length > 0)
         memcpy(to, text, length);
@@ -92,22 +75,12 @@ void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_
     hud->help_shown = shown;
     hud->stale = true;
     forget_help(hud);
-    for (size_t i = 0; i < line_count && i < HELP_MAX; i++) {
+    for (size_t i = 0; i < line_count && i < VM_HUD_HELP; i++) {
         hud->help[i] = strdup(lines[i]);
         if (!hud->help[i])
             break;
         hud->help_count++;
     }
-}
-
-void vm_hud_ring(struct vm_hud *hud, double x, double y, double radius)
-{
-    bool same =
-        radius == hud->ring_radius && (radius == 0 || (x == hud->ring_x && y == hud->ring_y));
-    hud->stale |= !same;
-    hud->ring_x = x;
-    hud->ring_y = y;
-    hud->ring_radius = radius;
 }
 
 bool vm_hud_help_shown(const struct vm_hud *hud)
@@ -274,7 +247,7 @@ static void draw_help(struct vm_hud *hud)
     int w = smaller((int)layout.columns * letter + 2 * pad - dot, hud->canvas.width);
     int h = smaller((int)layout.rows * VM_LINE_DOTS * dot + 2 * pad - 2 * dot, hud->canvas.height);
     struct vm_box box = {(hud->canvas.width - w) / 2, (hud->canvas.height - h) / 2, w, h};
-    draw_panel(hud, HELP, box, dot, FADE_LEVELS);
+    draw_panel(hud, VM_PANEL_HELP, box, dot, FADE_LEVELS);
     for (size_t i = 0; i < layout.rows; i++) {
         const struct help_row *row = &layout.row[i];
         int x = box.x + pad, y = box.y + pad + (int)i * VM_LINE_DOTS * dot;
@@ -286,49 +259,21 @@ static void draw_help(struct vm_hud *hud)
     }
 }
 
-/* ---- ring --------------------------------------------------------------------------------------- */
-
-#define RING_WIDTH 1.6   /* pixels */
-#define RING_MOST  400.0 /* pixels: a larger one is drawn so large */
-
-/* Smooth edges: each pixel is covered as far as its centre is from the middle of the line. */
-static void draw_ring(struct vm_hud *hud)
-{
-    double r = fmin(hud->ring_radius, RING_MOST), reach = r + RING_WIDTH + 1;
-    int left = (int)fmax(floor(hud->ring_x - reach), 0);
-    int top = (int)fmax(floor(hud->ring_y - reach), 0);
-    int right = smaller((int)ceil(hud->ring_x + reach), hud->canvas.width);
-    int bottom = smaller((int)ceil(hud->ring_y + reach), hud->canvas.height);
-    if (right <= left || bottom <= top)
-        return;
-    for (int y = top; y < bottom; y++)
-        for (int x = left; x < right; x++) {
-            double away = fabs(hypot(x + 0.5 - hud->ring_x, y + 0.5 - hud->ring_y) - r);
-            double cover = fmin(fmax(RING_WIDTH / 2 + 0.5 - away, 0), 1);
-            struct vm_colour ink = hud->ink;
-            ink.a = (uint8_t)(200 * cover);
-            if (ink.a > 0)
-                vm_canvas_fill(&hud->canvas, (struct vm_box){x, y, 1, 1}, ink);
-        }
-    hud->drawn[RING] = (struct vm_box){left, top, right - left, bottom - top};
-}
-
 /* ---- all of it ------------------------------------------------------------------------------- */
 
 static void redraw(struct vm_hud *hud)
 {
     const struct vm_colour clear = {0, 0, 0, 0};
-    for (int i = 0; i < PANELS; i++) {
+    for (int i = 0; i < VM_PANELS; i++) {
         vm_canvas_fill(&hud->canvas, hud->drawn[i], clear);
         hud->drawn[i] = (struct vm_box){0, 0, 0, 0};
     }
     int bottom = hud->canvas.height;
-    if (hud->ring_radius > 0)
-        draw_ring(hud);
+    vm_hud_draw_marks(hud);
     if (hud->status[0])
-        bottom = draw_text_panel(hud, STATUS, hud->status, bottom, FADE_LEVELS);
+        bottom = draw_text_panel(hud, VM_PANEL_STATUS, hud->status, bottom, FADE_LEVELS);
     if (hud->message[0] && hud->message_level > 0)
-        draw_text_panel(hud, MESSAGE, hud->message, bottom, hud->message_level);
+        draw_text_panel(hud, VM_PANEL_MESSAGE, hud->message, bottom, hud->message_level);
     if (hud->help_shown && hud->help_count > 0)
         draw_help(hud);
 }
@@ -354,7 +299,7 @@ const uint8_t *vm_hud_draw(struct vm_hud *hud, int width, int height, double now
         redraw(hud);
         *changed = true;
     }
-    for (int i = 0; i < PANELS; i++)
+    for (int i = 0; i < VM_PANELS; i++)
         if (hud->drawn[i].w > 0)
             return hud->canvas.rgba;
     return NULL;

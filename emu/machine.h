@@ -67,6 +67,8 @@ struct vm_hooks {
     /* An act reaches the devices, or one of them has something for the program. May be NULL. */
     void (*act)(void *ctx, const struct inp_act *act);
     void (*input)(void *ctx, uint64_t t, const struct inp_unit *unit);
+    /* A scan line goes to the raster tube, its pixels just read. With a raster tube. May be NULL. */
+    void (*scan)(void *ctx, const struct crt_scan_line *line);
     const struct ras_hooks *raster;   /* signals of the raster head; may be NULL */
     const struct rv_hooks *processor; /* each instruction; may be NULL */
 };

@@ -26,7 +26,6 @@
 #include "crt/image.h"
 #include "crt/waveform.h"
 #include "emu/plot/plot.h"
-#include "emu/progress.h"
 #include "emu/rig.h"
 
 struct vm_probe_place {
@@ -35,6 +34,8 @@ struct vm_probe_place {
     double x,
         y; /* head units: vector head from the bottom left, raster head dots from the top left */
     double area_mm; /* diameter of a disc */
+    bool in_mm;     /* x_mm and y_mm say where; else they follow from x and y as the head is then */
+    double x_mm, y_mm;
 };
 
 /* A complete refresh, noted when it was seen. */
@@ -44,8 +45,7 @@ struct vm_probe_beat {
 #define VM_PROBE_BEATS 256
 
 struct vm_probe {
-    struct vm_probe_place place;
-    double x_mm, y_mm;
+    struct vm_probe_place place; /* in mm, too */
     struct crt_tube *tube;
     struct crt_photodiode *diode;
     const struct crt_tube_row *row;
@@ -64,9 +64,8 @@ void vm_probe_close(struct vm_probe *probe); /* also one that is all zero */
 /* Notes the machine's last complete refresh: to be called after each run of the machine, as refresh_hz is
  * what has been noted. */
 void vm_probe_watch(struct vm_probe *probe, const struct vm_machine *machine);
-/* Runs the machine, noting each refresh; `progress` may be NULL. */
-void vm_probe_run(struct vm_probe *probe, struct vm_progress *progress, struct vm_machine *machine,
-                  uint64_t until);
+/* Runs the machine, noting each refresh. */
+void vm_probe_run(struct vm_probe *probe, struct vm_machine *machine, uint64_t until);
 /* What was before t is not asked for any more: keeps memory bounded in long runs. */
 void vm_probe_forget(struct vm_probe *probe, uint64_t t);
 
@@ -93,12 +92,12 @@ bool vm_probe_report(struct vm_probe *probe, uint64_t t0, uint64_t t1,
 /* The period's rate alone, Hz; 0: nothing repeats. */
 double vm_probe_hz(const struct vm_probe *probe, uint64_t t0, uint64_t t1);
 
-/* Samples: at least `hz` a second evenly from t0 (0: 2000 over the time), t1 included, and between them the
- * instants at which each deposit begins and ends, so that peaks are there. */
+/* Samples. hz > 0: evenly spaced from t0 on, before t1. hz 0: where the curve wants them, from t0 to t1: at
+ * the ends of deposits and so densely between them that straight lines are within a thousandth of it. */
 struct vm_probe_wave {
     size_t count;
     int colours;
-    double *t_s;                     /* since power-on */
+    uint64_t *t;                     /* ps since power-on */
     double *cd_m2;                   /* all colours */
     double *colour[CRT_MAX_COLOURS]; /* each */
 };

@@ -56,6 +56,25 @@ static void settle(struct vm_scale *s, struct range r, bool log)
     s->b = log ? crt_log(s->high) : s->high;
 }
 
+/* Whether there are dots or impulses, half of which an edge at the data would cut off. */
+static bool stands_alone(const struct vm_plot *plot)
+{
+    for (int p = 0; p < plot->panel_count; p++)
+        for (int i = 0; i < plot->panel[p].series_count; i++)
+            if (plot->panel[p].series[i].kind == VM_PLOT_DOTS ||
+                plot->panel[p].series[i].kind == VM_PLOT_IMPULSES)
+                return true;
+    return false;
+}
+
+static void beside(struct range *r, bool log)
+{
+    double margin =
+        log ? crt_exp((crt_log(r->high) - crt_log(r->low)) * 0.03) : (r->high - r->low) * 0.03;
+    r->low = log ? r->low / margin : r->low - margin;
+    r->high = log ? r->high * margin : r->high + margin;
+}
+
 bool vm_scale_x(struct vm_scale *scale, const struct vm_plot *plot)
 {
     struct range r = {0, 1, false};
@@ -66,6 +85,8 @@ bool vm_scale_x(struct vm_scale *scale, const struct vm_plot *plot)
             for (int i = 0; i < plot->panel[p].series_count; i++)
                 for (size_t n = 0; n < plot->panel[p].series[i].count; n++)
                     widen(&r, plot->panel[p].series[i].x[n], plot->x.log);
+        if (r.any && stands_alone(plot))
+            beside(&r, plot->x.log);
         if (!r.any && plot->x.log)
             r = (struct range){1, 10, false};
     }

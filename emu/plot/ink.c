@@ -250,23 +250,23 @@ void vm_ink_to(struct vm_ink *ink, struct vm_ink_pen *pen, double x, double y)
     pen->down = true;
 }
 
-bool vm_ink_blank(const struct vm_ink *ink, struct vm_rect box)
+double vm_ink_covered(const struct vm_ink *ink, struct vm_rect box, double enough)
 {
-    int x0 = whole(floor(box.x0), 0, ink->image->width),
-        x1 = whole(ceil(box.x1), 0, ink->image->width);
-    int y0 = whole(floor(box.y0), 0, ink->image->height);
-    int y1 = whole(ceil(box.y1), 0, ink->image->height);
-    for (int y = y0; y < y1; y++)
+    int x0 = whole(floor(box.x0), ink->bx0, ink->bx1), x1 = whole(ceil(box.x1), ink->bx0, ink->bx1);
+    int y0 = whole(floor(box.y0), ink->by0, ink->by1), y1 = whole(ceil(box.y1), ink->by0, ink->by1);
+    double sum = 0;
+    for (int y = y0; y < y1 && sum < enough; y++)
         for (int x = x0; x < x1; x++)
-            if (row_of(ink, y)[x] > 0)
-                return false;
-    return true;
+            sum += row_of(ink, y)[x];
+    return sum;
 }
 
 /* ---- spread ----------------------------------------------------------------------------------- */
 
 static void blend(const struct vm_ink *ink, uint16_t *sample, struct vm_rgb colour, double share)
 {
+    if (!(share > 0))
+        return;
     const uint8_t to[3] = {colour.r, colour.g, colour.b};
     for (int i = 0; i < 3; i++) {
         double light = ink->linear[sample[i] & 255] * (1 - share) + ink->linear[to[i]] * share;
@@ -305,12 +305,25 @@ static double overlap(double low, double high, int i)
     return most(0, least(high, i + 1.0) - most(low, i));
 }
 
+static void put(uint16_t *sample, struct vm_rgb colour)
+{
+    sample[0] = colour.r;
+    sample[1] = colour.g;
+    sample[2] = colour.b;
+}
+
 void vm_ink_box(struct vm_ink *ink, struct vm_rect box, struct vm_rgb colour, double opacity)
 {
     int x0 = whole(floor(box.x0), ink->x0, ink->x1), x1 = whole(ceil(box.x1), ink->x0, ink->x1);
     int y0 = whole(floor(box.y0), ink->y0, ink->y1), y1 = whole(ceil(box.y1), ink->y0, ink->y1);
-    for (int y = y0; y < y1; y++)
-        for (int x = x0; x < x1; x++)
-            blend(ink, pixel(ink, x, y), colour,
-                  overlap(box.x0, box.x1, x) * overlap(box.y0, box.y1, y) * opacity);
+    for (int y = y0; y < y1; y++) {
+        double row = overlap(box.y0, box.y1, y) * opacity;
+        for (int x = x0; x < x1; x++) {
+            uint16_t *sample = pixel(ink, x, y);
+            if (row >= 1 && x >= box.x0 && x + 1 <= box.x1)
+                put(sample, colour);
+            else
+                blend(ink, sample, colour, overlap(box.x0, box.x1, x) * row);
+        }
+    }
 }

@@ -62,8 +62,8 @@ struct vm_ink_pen {
 void vm_ink_lift(struct vm_ink_pen *pen);
 void vm_ink_to(struct vm_ink *ink, struct vm_ink_pen *pen, double x, double y);
 
-/* Whether nothing is covered within the box. */
-bool vm_ink_blank(const struct vm_ink *ink, struct vm_rect box);
+/* How much is covered within the box, pixels; counted no further than `enough`. */
+double vm_ink_covered(const struct vm_ink *ink, struct vm_rect box, double enough);
 
 /* ---- spread ----------------------------------------------------------------------------------- */
 

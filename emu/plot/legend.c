@@ -15,9 +15,11 @@ int vm_dash_of(const struct vm_plot_series *series, int order)
     return series->dashed || again ? 1 + order % 4 : 0;
 }
 
-static double entry_width(const struct vm_look *look, const struct vm_plot_series *s)
+/* A label that is longer than `room` is cut. */
+static double entry_width(const struct vm_look *look, const struct vm_plot_series *s, double room)
 {
-    return (SAMPLE + GAP) * look->type.size + vm_text_width(look->type, s->label);
+    double before = (SAMPLE + GAP) * look->type.size;
+    return before + fmin(vm_text_width(look->type, s->label), fmax(room - before, 0));
 }
 
 static bool listed(const struct vm_plot_series *s)
@@ -33,7 +35,7 @@ static struct vm_rect legend_size(const struct vm_look *look, const struct vm_pl
     int lines = 0;
     for (int i = 0; i < panel->series_count; i++)
         if (listed(&panel->series[i])) {
-            width = fmax(width, entry_width(look, &panel->series[i]));
+            width = fmax(width, entry_width(look, &panel->series[i], 1e9));
             lines++;
         }
     if (lines == 0)
@@ -70,29 +72,36 @@ static bool legend_within(struct vm_sheet *sheet, struct vm_place *place)
         for (int i = 0; i < COLUMNS; i++) {
             place->legend = moved(size, in.x0 + gap + free_x * column[i] / (COLUMNS - 1),
                                   in.y0 + gap + free_y * row[j] / (ROWS - 1));
-            if (vm_ink_blank(&sheet->ink, place->legend))
+            if (!(vm_ink_covered(&sheet->ink, place->legend, 1e-6) > 0))
                 return true;
         }
     return false;
 }
 
-/* Place k of a mark's word; false when there are no more. */
+/* Place k of a mark's word; false when there are no more. Beside a vertical line: level in the upper third, turned along
+ * the line, level further down. */
+#define UPPER  8
+#define TURNED 24
 static bool candidate(const struct vm_look *look, const struct vm_place *place,
-                      const struct vm_plot_mark *mark, int k, struct vm_rect *box)
+                      const struct vm_plot_mark *mark, int k, struct vm_rect *box, bool *turned)
 {
-    double t = look->type.size, gap = 0.45 * t,
+    double t = look->type.size, gap = 0.4 * t,
            at = vm_scale_place(mark->vertical ? &place->x : &place->y, mark->at);
     double width = vm_text_width(look->type, mark->label) + 0.4 * t, height = 1.2 * t;
     struct vm_rect in = place->box;
-    if (mark->vertical) { /* right and left of the line, from the top down */
-        double y = in.y0 + gap + (k / 2) * 0.5 * height, x = k % 2 ? at - gap - width : at + gap;
+    *turned = mark->vertical && k >= UPPER && k < TURNED;
+    if (!mark->vertical) {
+        double x = in.x1 - gap - width - (k / 2) * 0.5 * t,
+               y = k % 2 ? at + 0.15 * t : at - 0.15 * t - height;
         *box = (struct vm_rect){x, y, x + width, y + height};
-        return y + height <= in.y1;
+        return x >= in.x0;
     }
-    double x = in.x1 - gap - width - (k / 2) * 0.5 * t,
-           y = k % 2 ? at + 0.15 * t : at - 0.15 * t - height;
-    *box = (struct vm_rect){x, y, x + width, y + height};
-    return x >= in.x0;
+    int row = (k < UPPER ? k : *turned ? k - UPPER : k - TURNED + UPPER) / 2;
+    double y = in.y0 + gap + row * (*turned ? 1.0 : 0.5) * height,
+           across = *turned ? height : width;
+    double down = *turned ? width : height, x = k % 2 ? at - gap - across : at + gap;
+    *box = (struct vm_rect){x, y, x + across, y + down};
+    return k < TURNED || y + down <= in.y1;
 }
 
 static bool taken(const struct vm_place *place, int marks, struct vm_rect box)
@@ -118,19 +127,24 @@ static void place_word(struct vm_sheet *sheet, struct vm_place *place, int i)
            high = mark->vertical ? place->box.x1 : place->box.y1;
     if (!(at >= low - 1 && at <= high + 1))
         return;
-    for (int free = 1; free >= 0; free--)
-        for (int k = 0; candidate(&sheet->look, place, mark, k, &box); k++)
-            if (inside(box, place->box) && !taken(place, i, box) &&
-                (!free || vm_ink_blank(&sheet->ink, box))) {
-                place->word[i] = box;
-                return;
-            }
+    double least = 1e30;
+    bool turned;
+    for (int k = 0; least > 0 && candidate(&sheet->look, place, mark, k, &box, &turned); k++) {
+        if (!inside(box, place->box) || taken(place, i, box))
+            continue;
+        double hidden = vm_ink_covered(&sheet->ink, box, least);
+        if (hidden < least) {
+            least = hidden;
+            place->word[i] = box;
+            place->turned[i] = turned;
+        }
+    }
 }
 
 static void cover_mark(struct vm_sheet *sheet, const struct vm_place *place,
-                       const struct vm_plot_mark *mark)
+                       const struct vm_plot_mark *mark, bool dashed)
 {
-    struct vm_ink_pen pen = vm_curve_pen(sheet->look.line * 1.4, 1);
+    struct vm_ink_pen pen = vm_curve_pen(sheet->look.line * 1.4, dashed);
     double at = vm_scale_place(mark->vertical ? &place->x : &place->y, mark->at);
     struct vm_rect in = place->box;
     vm_ink_to(&sheet->ink, &pen, mark->vertical ? at : in.x0, mark->vertical ? in.y0 : at);
@@ -148,7 +162,7 @@ bool vm_legend_place(struct vm_sheet *sheet, struct vm_place *place)
             vm_curve_cover_area(&sheet->ink, &panel->series[i], &place->x, &place->y);
     }
     for (int i = 0; i < panel->mark_count; i++)
-        cover_mark(sheet, place, &panel->mark[i]);
+        cover_mark(sheet, place, &panel->mark[i], false);
     bool ok = place->strip > 0 || legend_within(sheet, place);
     for (int i = 0; i < panel->mark_count; i++)
         place_word(sheet, place, i);
@@ -164,7 +178,7 @@ int vm_legend_strip(const struct vm_look *look, const struct vm_plot_panel *pane
     for (int i = 0; i < panel->series_count; i++) {
         if (!listed(&panel->series[i]))
             continue;
-        double w = entry_width(look, &panel->series[i]);
+        double w = entry_width(look, &panel->series[i], width);
         if (x > 0 && x + w > width) {
             lines++;
             x = 0;
@@ -178,7 +192,7 @@ int vm_legend_strip(const struct vm_look *look, const struct vm_plot_panel *pane
 
 /* A piece of the curve and its label; x is the left end, y the base line. */
 static void entry(struct vm_sheet *sheet, const struct vm_plot_series *s, int order, double x,
-                  double y)
+                  double y, double room)
 {
     const struct vm_look *look = &sheet->look;
     double t = look->type.size, middle = y - 0.3 * t;
@@ -197,11 +211,12 @@ static void entry(struct vm_sheet *sheet, const struct vm_plot_series *s, int or
         vm_ink_to(&sheet->ink, &pen, x + SAMPLE * t - pen.width / 2, middle);
     }
     vm_ink_spread(&sheet->ink, colour, 1);
-    struct vm_rect box =
-        vm_text_box(look->type, x + (SAMPLE + GAP) * t, y, VM_LEFT, false, s->label);
-    vm_text_draw(&sheet->ink, look->type, box.x0, y, false, s->label, look->text);
-    if (sheet->words)
-        vm_sheet_note(sheet, VM_WORD_LEGEND, (struct vm_rect){x, box.y0, box.x1, box.y1});
+    char label[256];
+    double start = x + (SAMPLE + GAP) * t;
+    vm_text_cut(look->type, s->label, room - (SAMPLE + GAP) * t, label, sizeof label);
+    vm_text_draw(&sheet->ink, look->type, start, y, false, label, look->text);
+    struct vm_rect box = vm_text_box(look->type, start, y, VM_LEFT, false, label);
+    vm_sheet_note(sheet, VM_WORD_LEGEND, (struct vm_rect){x, box.y0, box.x1, box.y1});
 }
 
 static void strip(struct vm_sheet *sheet, const struct vm_place *place)
@@ -212,14 +227,24 @@ static void strip(struct vm_sheet *sheet, const struct vm_place *place)
         const struct vm_plot_series *s = &place->panel->series[i];
         if (!listed(s))
             continue;
-        double w = entry_width(&sheet->look, s);
+        double w = entry_width(&sheet->look, s, place->box.x1 - place->box.x0);
         if (x > place->box.x0 && x + w > place->box.x1) {
             x = place->box.x0;
             y += STEP * t;
         }
-        entry(sheet, s, i, x, y);
+        entry(sheet, s, i, x, y, place->box.x1 - place->box.x0);
         x += w + 1.5 * t;
     }
+}
+
+static void legend_frame(struct vm_sheet *sheet, struct vm_rect r)
+{
+    double w = fmax(1, floor(sheet->look.fine + 0.5));
+    struct vm_rect outer = {floor(r.x0), floor(r.y0), floor(r.x1), floor(r.y1)};
+    vm_ink_box(&sheet->ink, outer, sheet->look.grid, 1);
+    vm_ink_box(&sheet->ink,
+               (struct vm_rect){outer.x0 + w, outer.y0 + w, outer.x1 - w, outer.y1 - w},
+               sheet->look.panel, 1);
 }
 
 void vm_legend_draw(struct vm_sheet *sheet, const struct vm_place *place)
@@ -232,11 +257,11 @@ void vm_legend_draw(struct vm_sheet *sheet, const struct vm_place *place)
     }
     if (!(place->legend.x1 > place->legend.x0))
         return;
-    vm_ink_box(&sheet->ink, place->legend, look->panel, 0.85);
+    legend_frame(sheet, place->legend);
     double y = place->legend.y0 + 0.25 * t + 0.95 * t;
     for (int i = 0; i < place->panel->series_count; i++)
         if (listed(&place->panel->series[i])) {
-            entry(sheet, &place->panel->series[i], i, place->legend.x0 + 0.6 * t, y);
+            entry(sheet, &place->panel->series[i], i, place->legend.x0 + 0.6 * t, y, 1e9);
             y += STEP * t;
         }
 }
@@ -244,7 +269,7 @@ void vm_legend_draw(struct vm_sheet *sheet, const struct vm_place *place)
 void vm_marks_draw(struct vm_sheet *sheet, const struct vm_place *place)
 {
     for (int i = 0; i < place->panel->mark_count; i++) {
-        cover_mark(sheet, place, &place->panel->mark[i]);
+        cover_mark(sheet, place, &place->panel->mark[i], true);
         vm_ink_spread(&sheet->ink, sheet->look.text, 1);
     }
 }
@@ -257,9 +282,14 @@ void vm_mark_words_draw(struct vm_sheet *sheet, const struct vm_place *place)
         struct vm_rect box = place->word[i];
         if (!(box.x1 > box.x0))
             continue;
-        vm_ink_box(&sheet->ink, box, look->panel, 0.85);
         vm_sheet_note(sheet, VM_WORD_MARK, box);
-        vm_text_draw(&sheet->ink, look->type, box.x0 + 0.2 * t, box.y0 + 0.88 * t, false,
-                     place->panel->mark[i].label, look->text);
+        bool turned = place->turned[i];
+        double x = turned ? floor(box.x0 + 0.88 * t) + 0.5 : box.x0 + 0.2 * t;
+        double y = turned ? box.y1 - 0.2 * t : floor(box.y0 + 0.88 * t) + 0.5;
+        const char *label = place->panel->mark[i].label;
+        /* Letters with a rim of the panel's colour, so that they can be read over grids and curves. */
+        vm_text_cover(&sheet->ink, look->type, x, y, turned, label, 0.16 * t);
+        vm_ink_spread(&sheet->ink, look->panel, 1);
+        vm_text_draw(&sheet->ink, look->type, x, y, turned, label, look->text);
     }
 }

@@ -17,6 +17,7 @@ struct vm_place {
     int strip;                          /* lines of a legend above the panel */
     struct vm_rect legend;              /* within the panel; x1 = x0: none */
     struct vm_rect word[VM_PLOT_MARKS]; /* x1 = x0: none */
+    bool turned[VM_PLOT_MARKS];
 };
 
 /* Finds places for words in the panel; false: the legend has none. */

@@ -1,6 +1,8 @@
 #include "emu/plot/letters.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 /* Straight pieces that a quarter of an ellipse or a Bézier curve is drawn with. */
 #define PIECES 8
@@ -13,8 +15,7 @@ static double unit_of(struct vm_type type)
 
 double vm_type_pen(struct vm_type type)
 {
-    double pen = type.size * VM_CAPITALS / 8;
-    return (pen > 1.15 ? pen : 1.15) * type.weight;
+    return (type.size * 0.085 + 0.3) * type.weight;
 }
 
 uint32_t vm_utf8_next(const char **text)
@@ -49,17 +50,24 @@ struct hand {
     double width;       /* of the pen, pixels */
     double x, y, unit;  /* origin of the letter and its unit, pixels */
     bool turned;
-    double at_x, at_y;          /* pen, grid units */
-    double least_x, greatest_x; /* of the centre of the pen, pixels along the line */
+    double at_x, at_y;     /* pen, grid units */
+    struct vm_rect extent; /* of the centre of the pen; x along the line, y down */
 };
+
+static void grow(struct vm_rect *r, double x, double y)
+{
+    r->x0 = x < r->x0 ? x : r->x0;
+    r->y0 = y < r->y0 ? y : r->y0;
+    r->x1 = x > r->x1 ? x : r->x1;
+    r->y1 = y > r->y1 ? y : r->y1;
+}
 
 static void to(struct hand *hand, double x, double y, bool draw)
 {
     double along = hand->x + x * hand->unit, from = hand->x + hand->at_x * hand->unit;
-    hand->least_x = along < hand->least_x ? along : hand->least_x;
-    hand->greatest_x = along > hand->greatest_x ? along : hand->greatest_x;
+    double up = hand->y - y * hand->unit, from_up = hand->y - hand->at_y * hand->unit;
+    grow(&hand->extent, along, up);
     if (draw && hand->ink) {
-        double up = hand->y - y * hand->unit, from_up = hand->y - hand->at_y * hand->unit;
         if (hand->turned) /* along the line is up, up is left */
             vm_ink_segment(hand->ink, from_up, -from, up, -along, hand->width);
         else
@@ -132,8 +140,7 @@ static void small(struct hand *hand, const char **path)
     ++*path; /* the space before the letter */
     letter(&inner, vm_letter_of((unsigned char)**path)->path);
     ++*path;
-    hand->least_x = inner.least_x;
-    hand->greatest_x = inner.greatest_x;
+    hand->extent = inner.extent;
 }
 
 static void letter(struct hand *hand, const char *path)
@@ -171,24 +178,24 @@ static void line_of_text(struct hand *hand, const char *text, const char *end)
     }
 }
 
-/* Left and right end of the centre of the pen, when the first letter's origin is 0. */
-static void extent(struct vm_type type, const char *text, const char *end, double *left,
-                   double *right)
+static const struct vm_rect nothing = {1e30, 1e30, -1e30, -1e30};
+
+/* Of the ink when the first letter's origin is (0, 0). */
+static struct vm_rect extent(struct vm_type type, const char *text, const char *end)
 {
-    struct hand hand = {.unit = unit_of(type), .least_x = 1e30, .greatest_x = -1e30};
+    struct hand hand = {.unit = unit_of(type), .extent = nothing};
+    double half = vm_type_pen(type) / 2;
     line_of_text(&hand, text, end);
-    bool any = hand.least_x <= hand.greatest_x;
-    *left = any ? hand.least_x : 0;
-    *right = any ? hand.greatest_x : 0;
-    if (!any)
-        *right = *left - vm_type_pen(type);
+    struct vm_rect e = hand.extent;
+    if (e.x0 > e.x1)
+        return (struct vm_rect){0, 0, 0, 0};
+    return (struct vm_rect){e.x0 - half, e.y0 - half, e.x1 + half, e.y1 + half};
 }
 
 static double width_to(struct vm_type type, const char *text, const char *end)
 {
-    double left, right;
-    extent(type, text, end, &left, &right);
-    return right - left + vm_type_pen(type);
+    struct vm_rect e = extent(type, text, end);
+    return e.x1 - e.x0;
 }
 
 double vm_text_width(struct vm_type type, const char *text)
@@ -196,28 +203,43 @@ double vm_text_width(struct vm_type type, const char *text)
     return width_to(type, text, NULL);
 }
 
-void vm_text_cover(struct vm_ink *ink, struct vm_type type, double x, double y, bool turned,
-                   const char *text)
+struct vm_rect vm_text_extent(struct vm_type type, const char *text)
 {
-    double left, right, pen = vm_type_pen(type);
-    extent(type, text, NULL, &left, &right);
-    double start = (turned ? -y : x) + pen / 2 - left;
+    struct vm_rect e = extent(type, text, NULL);
+    return (struct vm_rect){0, e.y0, e.x1 - e.x0, e.y1};
+}
+
+void vm_text_cover(struct vm_ink *ink, struct vm_type type, double x, double y, bool turned,
+                   const char *text, double halo)
+{
+    double start = (turned ? -y : x) - extent(type, text, NULL).x0;
     struct hand hand = {.ink = ink,
-                        .width = pen,
+                        .width = vm_type_pen(type) + 2 * halo,
                         .x = start,
                         .y = turned ? x : y,
                         .unit = unit_of(type),
                         .turned = turned,
-                        .least_x = 1e30,
-                        .greatest_x = -1e30};
+                        .extent = nothing};
     line_of_text(&hand, text, NULL);
 }
 
 void vm_text_draw(struct vm_ink *ink, struct vm_type type, double x, double y, bool turned,
                   const char *text, struct vm_rgb colour)
 {
-    vm_text_cover(ink, type, x, y, turned, text);
+    vm_text_cover(ink, type, x, y, turned, text, 0);
     vm_ink_spread(ink, colour, 1);
+}
+
+void vm_text_cut(struct vm_type type, const char *text, double width, char *cut, size_t size)
+{
+    size_t keep = strlen(text);
+    snprintf(cut, size, "%s", text);
+    while (keep > 0 && (keep + 4 > size || vm_text_width(type, cut) > width)) {
+        do
+            keep--;
+        while (keep > 0 && (text[keep] & 0xC0) == 0x80);
+        snprintf(cut, size, "%.*s…", keep < size ? (int)keep : (int)size, text);
+    }
 }
 
 size_t vm_text_fits(struct vm_type type, const char *text, double width)

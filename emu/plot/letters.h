@@ -4,7 +4,7 @@
  *
  * Models:     engineering lettering in the manner of ISO 3098: one pen, upright, proportional widths.
  * Units:      pixels. `size` is the height of a line of text (as a type's size in points is); capitals are 0.72
- *             of it high. The pen is an eighth of the capitals' height, at least 1.15 pixels, times `weight`.
+ *             of it high. The pen is (0.085·size + 0.3)·weight: small letters are a little bolder.
  * Text:       UTF-8: ASCII, Greek letters, superscripts and signs listed in letters_shapes.c. What is unknown, and
  *             bytes that are no UTF-8, show as a box.
  * Errors:     none.
@@ -12,6 +12,7 @@
 #ifndef EMU_PLOT_LETTERS_H
 #define EMU_PLOT_LETTERS_H
 
+#include <stddef.h>
 #include <stdint.h>
 
 #include "emu/plot/ink.h"
@@ -35,9 +36,13 @@ double vm_text_width(struct vm_type type, const char *text);
  * it starts at y. */
 void vm_text_draw(struct vm_ink *ink, struct vm_type type, double x, double y, bool turned,
                   const char *text, struct vm_rgb colour);
-/* The same without spreading any ink. */
+/* The same without spreading any ink, with a pen that reaches `halo` further. */
 void vm_text_cover(struct vm_ink *ink, struct vm_type type, double x, double y, bool turned,
-                   const char *text);
+                   const char *text, double halo);
+/* The box of the ink of a text that starts at (0, 0). */
+struct vm_rect vm_text_extent(struct vm_type type, const char *text);
+/* The text, or as much of it as fits into `width` with an ellipsis. */
+void vm_text_cut(struct vm_type type, const char *text, double width, char *cut, size_t size);
 
 /* The longest start of the text that ends before a space (or at its end) and is no wider than `width`; at
  * least one word. In bytes. */

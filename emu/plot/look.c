@@ -14,6 +14,7 @@ struct vm_look vm_look_of(enum vm_plot_style style, struct vm_size size)
         .frame = {70, 70, 70},
         .grid = {208, 208, 208},
         .minor = {234, 234, 234},
+        .area = 0.3,
         .text = {20, 20, 20},
         .dim = {90, 90, 90},
         .series = {{0, 114, 178},
@@ -41,9 +42,11 @@ struct vm_look vm_look_of(enum vm_plot_style style, struct vm_size size)
                    {226, 150, 200},
                    {0, 200, 150},
                    {255, 255, 255}},
+        .area = 0.1,
         .scope = true,
     };
     struct vm_look look = style == VM_PLOT_SCOPE ? scope : paper;
+    look.style = style;
     double h = size.height, t = at_least(h / 38, 13);
     if (style == VM_PLOT_PROJECTOR) {
         t = at_least(h / 25, 16);
@@ -53,7 +56,7 @@ struct vm_look vm_look_of(enum vm_plot_style style, struct vm_size size)
     } else if (style == VM_PLOT_SCOPE) {
         t = at_least(h / 32, 14);
     }
-    double bold = style == VM_PLOT_PROJECTOR ? 1.2 : 1.1;
+    double bold = style == VM_PLOT_PROJECTOR ? 1.25 : style == VM_PLOT_SCOPE ? 0.95 : 1.0;
     look.type = (struct vm_type){t, bold};
     look.title = (struct vm_type){t * (look.scope ? 1.1 : 1.3), bold * 1.15};
     look.curve = t * (style == VM_PLOT_PROJECTOR ? 0.16 : 0.13);

@@ -17,7 +17,9 @@ struct vm_look {
     struct vm_rgb paper, panel, frame, grid, minor, text, dim;
     struct vm_rgb series[VM_COLOURS];
     struct vm_type title, type; /* the note and the numbers are of `type` too */
+    double area;                /* opacity of what is filled */
     double curve, line, fine;   /* pens: curves, frames and marks, grids; pixels */
+    enum vm_plot_style style;
     bool scope;
 };
 

@@ -62,6 +62,18 @@ void vm_sheet_note(struct vm_sheet *sheet, enum vm_word kind, struct vm_rect box
 int vm_wrapped_lines(struct vm_type type, const char *text, double width);
 void vm_sheet_wrapped(struct vm_sheet *sheet, enum vm_word kind, struct vm_type type, double x,
                       double y, double width, const char *text, struct vm_rgb colour);
+/* A title: smaller if it is wider than `width`, on several lines if that is not enough. */
+struct vm_heading {
+    struct vm_type type;
+    int lines;
+    double height; /* of all of it */
+};
+struct vm_heading vm_heading_of(const struct vm_look *look, const char *text, double width);
+void vm_sheet_heading(struct vm_sheet *sheet, const struct vm_heading *heading, double x, double y,
+                      double width, const char *text);
+/* Empty texts count as none. */
+bool vm_has(const char *text);
+
 #define VM_LINE_STEP 1.3 /* from base line to base line, of the size */
 
 bool vm_rects_meet(struct vm_rect a, struct vm_rect b);
