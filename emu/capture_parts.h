@@ -19,7 +19,7 @@
 #include "emu/picture.h"
 #include "emu/roms.h"
 #include "emu/saved.h"
-#include "emu/sheet.h"
+#include "emu/contact_sheet.h"
 #include "emu/versus.h"
 
 /* What may be different from side to side. */
@@ -97,7 +97,7 @@ struct vm_capture {
     struct crt_rate fps;       /* of the sequence; of steps, as they are played */
     struct vm_step_word *word; /* of each shot, where a step is a word; else NULL */
     struct vm_y4m y4m;
-    struct vm_sheet sheet;
+    struct vm_contact_sheet sheet;
     struct crt_image names; /* the strip of captions above two sides; samples NULL: not drawn yet */
     struct vm_progress progress;
     bool sequence, strip;

@@ -62,15 +62,15 @@ static bool add_to_sheet(struct vm_capture *c, const struct crt_image *image,
     char text[600];
     if (!c->sheet.open) {
         heading(c, frame, text, sizeof text);
-        if (!vm_sheet_open(&c->sheet, c->places.width, c->shots.count,
-                           (struct vm_size){image->width, image->height}, c->o.size.width != 0,
-                           text, err))
+        if (!vm_contact_sheet_open(&c->sheet, c->places.width, c->shots.count,
+                                   (struct vm_size){image->width, image->height},
+                                   c->o.size.width != 0, text, err))
             return false;
     }
     vm_caption_time(c->shots.shot[number].at - c->shots.shot[0].at, true, text, sizeof text);
     if (c->o.captions)
         vm_capture_caption(c, number, text, sizeof text);
-    if (!vm_sheet_add(&c->sheet, number, image, text, err))
+    if (!vm_contact_sheet_add(&c->sheet, number, image, text, err))
         return false;
     return number + 1 < c->shots.count ||
            vm_picture_write(c->o.out, &c->sheet.image, c->input.name, &c->side[0].settings,
@@ -97,7 +97,7 @@ bool vm_capture_write(struct vm_capture *c, const struct crt_image *image,
 
 bool vm_capture_finish(struct vm_capture *c, bool ok, struct crt_error *err)
 {
-    vm_sheet_close(&c->sheet);
+    vm_contact_sheet_close(&c->sheet);
     if (c->names.samples)
         crt_image_free(&c->names);
     return vm_y4m_close(&c->y4m, ok, err);

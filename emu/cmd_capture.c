@@ -100,7 +100,7 @@ static bool check_outputs(struct vm_capture *c, struct crt_error *err)
     if (c->sequence && o->out && !o->sheet && !vm_frame_name_ok(o->out))
         return crt_fail(
             err, "-o %.100s would be one file for all pictures; put %%04d into the name", o->out);
-    return !o->sheet || vm_sheet_places(o->sheet, &c->places, err);
+    return !o->sheet || vm_contact_sheet_places(o->sheet, &c->places, err);
 }
 
 /* Which moments. */

@@ -16,6 +16,8 @@ const char vm_lesson_style[] =
     "a{color:var(--link)}nav ol{padding-left:1.6rem}nav li{margin:.25rem 0}\n"
     "figure{margin:1.2rem 0}figure img{display:block;max-width:100%;height:auto;background:#000}\n"
     "figcaption{margin:.5rem 0 .2rem;font-size:.95rem}\n"
+    ".row{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,20rem),1fr));"
+    "gap:0 1.2rem}.row figure{margin:.6rem 0}\n"
     ".scroll{overflow-x:auto}\n"
     "pre,code{font-family:'DejaVu Sans Mono',Menlo,Consolas,monospace;font-size:.82em}\n"
     "pre{background:var(--soft);padding:.6rem .8rem;margin:.5rem "

@@ -1,4 +1,4 @@
-#include "emu/sheet.h"
+#include "emu/contact_sheet.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -11,7 +11,7 @@
 
 #define GAP 10
 
-bool vm_sheet_places(const char *text, struct vm_size *places, struct crt_error *err)
+bool vm_contact_sheet_places(const char *text, struct vm_size *places, struct crt_error *err)
 {
     int used = 0;
     bool digits = strspn(text, "0123456789x") == strlen(text) && strlen(text) < 12;
@@ -27,7 +27,7 @@ bool vm_sheet_places(const char *text, struct vm_size *places, struct crt_error 
  */
 
 /* Adds a line of the picture, weighted, to the small pixels' light: each gets what of it lies over it. */
-static void add_line(struct vm_sheet *s, const uint16_t *samples, int width, int small,
+static void add_line(struct vm_contact_sheet *s, const uint16_t *samples, int width, int small,
                      double weight)
 {
     double scale = (double)small / width;
@@ -44,7 +44,8 @@ static void add_line(struct vm_sheet *s, const uint16_t *samples, int width, int
     }
 }
 
-void vm_sheet_reduce(struct vm_sheet *s, const struct crt_image *picture, struct crt_image *out)
+void vm_contact_sheet_reduce(struct vm_contact_sheet *s, const struct crt_image *picture,
+                             struct crt_image *out)
 {
     double scale = (double)out->height / picture->height;
     for (int y = 0; y < out->height; y++) {
@@ -71,7 +72,7 @@ static double decoded(double v)
 /* ---- the sheet ----------------------------------------------------------------------------------
  */
 
-static void plan(struct vm_sheet *s, int columns, struct vm_size picture, bool keep)
+static void plan(struct vm_contact_sheet *s, int columns, struct vm_size picture, bool keep)
 {
     int most = (VM_SHEET_WIDTH - (columns + 1) * GAP) / columns;
     s->columns = columns;
@@ -84,12 +85,12 @@ static void plan(struct vm_sheet *s, int columns, struct vm_size picture, bool k
     s->letters = fmin(fmax(s->cell.width / 13.0, 11), 28);
 }
 
-static int pitch_y(const struct vm_sheet *s)
+static int pitch_y(const struct vm_contact_sheet *s)
 {
     return s->cell.height + vm_caption_height(s->letters) + GAP;
 }
 
-static bool head(struct vm_sheet *s, const char *heading, struct crt_error *err)
+static bool head(struct vm_contact_sheet *s, const char *heading, struct crt_error *err)
 {
     struct crt_image strip;
     const struct vm_caption caption = {heading, GAP, s->image.width - 2 * GAP, true};
@@ -100,10 +101,11 @@ static bool head(struct vm_sheet *s, const char *heading, struct crt_error *err)
     return true;
 }
 
-bool vm_sheet_open(struct vm_sheet *s, int columns, uint64_t count, struct vm_size picture,
-                   bool keep, const char *heading, struct crt_error *err)
+bool vm_contact_sheet_open(struct vm_contact_sheet *s, int columns, uint64_t count,
+                           struct vm_size picture, bool keep, const char *heading,
+                           struct crt_error *err)
 {
-    *s = (struct vm_sheet){.columns = columns};
+    *s = (struct vm_contact_sheet){.columns = columns};
     if ((uint64_t)columns > count)
         columns = (int)count;
     plan(s, columns, picture, keep);
@@ -136,15 +138,16 @@ static void outline(struct crt_image *image, int x, int y, struct vm_size size)
         }
 }
 
-bool vm_sheet_add(struct vm_sheet *s, uint64_t number, const struct crt_image *picture,
-                  const char *caption, struct crt_error *err)
+bool vm_contact_sheet_add(struct vm_contact_sheet *s, uint64_t number,
+                          const struct crt_image *picture, const char *caption,
+                          struct crt_error *err)
 {
     struct crt_image small, strip;
     int x = GAP + (int)(number % (uint64_t)s->columns) * (s->cell.width + GAP);
     int y = s->top + (int)(number / (uint64_t)s->columns) * pitch_y(s);
     if (!crt_image_init(&small, s->cell.width, s->cell.height, 8, err))
         return false;
-    vm_sheet_reduce(s, picture, &small);
+    vm_contact_sheet_reduce(s, picture, &small);
     vm_image_place(&small, x, y, &s->image);
     crt_image_free(&small);
     outline(&s->image, x, y, s->cell);
@@ -156,7 +159,7 @@ bool vm_sheet_add(struct vm_sheet *s, uint64_t number, const struct crt_image *p
     return true;
 }
 
-void vm_sheet_close(struct vm_sheet *s)
+void vm_contact_sheet_close(struct vm_contact_sheet *s)
 {
     if (s->open)
         crt_image_free(&s->image);
