@@ -90,7 +90,7 @@ static bool read_along(struct vm_probe_job *job, struct crt_error *err)
     if (!o->place || o->screen || o->area > 0)
         return crt_fail(err, "--along is from one point to another; give --at X,Y, and leave out "
                              "--screen and --area");
-    if (o->field || o->pupil > 0 || o->luminance > 0 || o->rate.num)
+    if (o->field || o->pupil > 0 || o->luminance > 0 || o->rate > 0)
         return crt_fail(err, "--along is of mean light; leave out --field, --pupil, --luminance "
                              "and --rate");
     return read_place("--along", o->along, &job->along[0], &job->along[1], err);
