@@ -15,9 +15,12 @@ bool vm_why_source_line(const struct vm_why_names *names, const struct vm_why_de
     const struct df_program *p = names->program;
     uint32_t at = d->word.address / 2;
     if (!p || !p->words || !d->named || d->store.known || d->word.words == 0 ||
-        at >= DF_MEMORY_BYTES / 2 || !p->loaded[at] || !p->line[at] ||
-        p->words[at] != d->word.word[0] || p->line[at] >> 24 >= p->file_count)
+        at + 1 >= DF_MEMORY_BYTES / 2 || !p->loaded[at] || !p->line[at] ||
+        p->line[at] >> 24 >= p->file_count)
         return false;
+    for (int i = 0; i < d->word.words; i++) /* the program may have changed them */
+        if (p->words[at + (uint32_t)i] != d->word.word[i])
+            return false;
     *file = p->files[p->line[at] >> 24];
     *line = p->line[at] & 0xFFFFFF;
     return true;
