@@ -9,7 +9,7 @@
 #define PI       3.14159265358979324
 #define ROOT_TWO 1.41421356237309505
 
-#define STEPS_A_LOG   128.0 /* sigmas that have a table: e^(n/STEPS_A_LOG) */
+#define STEPS_A_LOG   256.0 /* sigmas that have a table: e^(n/STEPS_A_LOG) */
 #define STEPS_A_SIGMA 16.0  /* of distance */
 
 struct crt_disc_table {

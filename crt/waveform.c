@@ -217,9 +217,9 @@ void crt_waveform_measure(struct crt_photodiode *diode, uint64_t t0, uint64_t t1
     m.mean = (light[0] + light[1] + light[2]) / crt_seconds(t0, t1);
     if (!(m.mean > 0))
         return;
-    crt_diode_walk(diode, t0, t1, note_ends, &m);
+    crt_diode_walk(diode, t0, t1, INFINITY, note_ends, &m);
     find_peak(&m);
-    crt_diode_walk(diode, t0, t1, add_above, &m);
+    crt_diode_walk(diode, t0, t1, m.mean, add_above, &m);
     figures->mean_cd_m2 = m.mean;
     figures->peak_cd_m2 = m.peak;
     figures->least_cd_m2 = m.least;

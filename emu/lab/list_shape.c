@@ -238,11 +238,14 @@ static void write_zigzag(FILE *to, const struct vm_list_shape *s, long n)
     }
 }
 
-void vm_list_write(FILE *to, const struct vm_list_shape *s, long n)
+void vm_list_write(FILE *to, const struct vm_list_shape *s, long n, const char *tube)
 {
     char what[64];
     vm_list_describe(s, what, sizeof what);
-    fprintf(to, "; %ld %s\n        .start  again\nagain:\n", n, what);
+    fprintf(to, "; %ld %s\n", n, what);
+    if (tube)
+        fprintf(to, "        .tube   \"%s\"\n", tube);
+    fputs("        .start  again\nagain:\n", to);
     if (s->sync)
         fputs("        sync\n", to);
     if (s->kind == VM_LIST_CHARACTERS)

@@ -52,8 +52,8 @@ long vm_list_most(const struct vm_list_shape *s, uint32_t bytes);
 long vm_list_longest(const struct vm_list_shape *s, const struct df_timing *t, uint64_t ps,
                      uint32_t bytes);
 
-/* Source of n items (display_file/LANGUAGE.md). */
-void vm_list_write(FILE *to, const struct vm_list_shape *s, long n);
+/* Source of n items (display_file/LANGUAGE.md) for a tube, TUBE/PHOSPHOR or NULL. */
+void vm_list_write(FILE *to, const struct vm_list_shape *s, long n, const char *tube);
 
 /* "vectors of 100 units", "points 100 units apart", "characters"; "vectors". */
 void vm_list_describe(const struct vm_list_shape *s, char *text, size_t size);

@@ -104,15 +104,19 @@ void vm_why_say_code(const struct vm_why_names *names, uint32_t pc, char *text, 
 }
 
 void vm_why_say_store(const struct vm_why *why, const struct vm_why_names *names,
-                      const struct vm_why_deposit *d, char *text, size_t size)
+                      const struct vm_why_deposit *d, bool same, char *text, size_t size)
 {
     char code[180], when[32], instruction[RV_DISASM_MAX];
     const struct vm_why_store *s = &d->store;
     text[0] = '\0';
     if (!s->known)
         return;
-    vm_why_say_code(names, s->pc, code, sizeof code);
     vm_format_time(why->t > s->t ? why->t - s->t : 0, when, sizeof when);
+    if (same) {
+        snprintf(text, size, "stored %s ago by the same", when);
+        return;
+    }
+    vm_why_say_code(names, s->pc, code, sizeof code);
     rv_disasm(s->pc, s->word, instruction, sizeof instruction);
     snprintf(text, size, "stored %s ago by %s: %08x %s", when, code, (unsigned)s->pc, instruction);
 }

@@ -285,6 +285,60 @@ static void disc_is_the_mean_of_points(void **state)
     }
 }
 
+/* Mean over a disc of a resting spot, as an integral over rings; on a ring over angles. */
+static double mean_of_rings(double radius, double sigma, double distance)
+{
+    double sum = 0;
+    const int rings = 1500, angles = 100;
+    for (int i = 0; i < rings; i++) {
+        double r = radius * (i + 0.5) / rings, off = r - distance, around = 0;
+        if (fabs(off) > 7 * sigma)
+            continue;
+        for (int n = 0; n < angles; n++)
+            around += exp(-r * distance / (sigma * sigma) * (1 - cos(PI * (n + 0.5) / angles)));
+        sum += r * exp(-off * off / (2 * sigma * sigma)) * around / angles;
+    }
+    return sum * radius / rings / (sigma * sigma) / (PI * radius * radius);
+}
+
+static void disc_sees_of_a_spot_what_falls_on_it(void **state)
+{
+    (void)state;
+    const double w[] = {1}, tau[] = {1};
+    struct crt_phosphor p = model_phosphor(1, w, tau);
+    struct crt_knobs neutral = {0, 1, 0};
+    static const double radius[] = {0.02, 0.25, 0.8, 4}, sigma[] = {0.21, 0.25};
+    double worst = 0;
+    for (int n = 0; n < 8; n++) {
+        struct crt_tube_row row = model_row(sigma[n & 1], 0);
+        struct crt_tube *tube = vector_tube(&row, &p, 8, 8);
+        struct crt_photodiode *d = open_diode(tube, CRT_DIODE_DISC, -1, 2, 2 * radius[n / 2]);
+        struct crt_spot spot = crt_spot_at(&row, &neutral, 1);
+        for (int i = 0; i < 6; i++) {
+            double off = fmax(0, radius[n / 2] + (i - 3) * 0.9 * sigma[n & 1]);
+            struct crt_stroke s = {.t0 = (uint64_t)i * US, .y0 = 2, .y1 = 2, .drive = 1};
+            s.t1 = s.t0 + US;
+            s.x0 = s.x1 = (float)(-1 + off);
+            crt_tube_stroke(tube, &s);
+        }
+        crt_tube_advance(tube, MS);
+        size_t count;
+        const struct crt_deposit *at = crt_photodiode_deposits(d, &count);
+        assert_int_equal(count, 6);
+        double most = mean_of_rings(radius[n / 2], spot.sigma_mm, 0);
+        for (int i = 0; i < 6; i++) {
+            double off =
+                (double)(float)(-1 + fmax(0, radius[n / 2] + (i - 3) * 0.9 * sigma[n & 1])) + 1;
+            double want = mean_of_rings(radius[n / 2], spot.sigma_mm, off);
+            worst = fmax(worst, fabs(at[i].fluence[0] / (spot.power * 1e-6) - want) / most);
+        }
+        crt_photodiode_close(d);
+        crt_tube_destroy(tube);
+    }
+    print_message("# discs of spots: %.2g of the most\n", worst);
+    assert_true(worst < 2e-5);
+}
+
 /* A disc that has everything within: energy over its area, of strokes and of lines. */
 static void wide_disc_has_all_the_energy(void **state)
 {
@@ -656,6 +710,7 @@ int main(void)
         cmocka_unit_test(point_is_as_the_probe),
         cmocka_unit_test(lines_are_as_the_probe),
         cmocka_unit_test(disc_is_the_mean_of_points),
+        cmocka_unit_test(disc_sees_of_a_spot_what_falls_on_it),
         cmocka_unit_test(wide_disc_has_all_the_energy),
         cmocka_unit_test(screen_has_all_the_energy),
         cmocka_unit_test(screen_has_all_of_a_line),
