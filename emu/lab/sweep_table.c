@@ -94,7 +94,7 @@ static void print_row(FILE *to, const struct vm_sweep *s, const struct layout *l
 {
     fprintf(to, "%-*s", l->name, at.luminance == 0 ? s->phosphor[at.phosphor]->name : "");
     if (l->luminance)
-        fprintf(to, "  %6.4g", s->cd_m2[at.luminance]);
+        fprintf(to, "  %6.6g", s->cd_m2[at.luminance]);
     print_cff(to, s, at);
     for (at.rate = l->first; at.rate < l->end; at.rate++)
         if (s->fields == 1)
@@ -141,9 +141,37 @@ static void print_subject(FILE *to, const struct vm_sweep *s)
     fputc('\n', to);
 }
 
+/* What the eye does beyond the model's range. */
+static void print_bright(FILE *to, const struct vm_sweep *s)
+{
+    char text[200];
+    double most = 0, end = CRT_FLICKER_TROLANDS / crt_trolands(1, s->pupil_mm);
+    for (int i = 0; i < s->luminances; i++)
+        most = fmax(most, s->cd_m2[i]);
+    if (most <= end)
+        return;
+    snprintf(
+        text, sizeof text,
+        "Above %.0f cd/m2 (10000 trolands with this pupil) the CFF of the eye levels off below "
+        "what is told here.",
+        end);
+    vm_print_wrapped(to, text, 0);
+}
+
+static void print_comparison(FILE *to, const struct vm_sweep *s)
+{
+    char text[200];
+    if (s->luminances > 1)
+        return;
+    snprintf(text, sizeof text,
+             "For comparison: a small flashing field in the centre of the eye fuses at %.0f Hz, "
+             "whatever the phosphor (Ferry and Porter's law, its constants estimated).",
+             crt_cff_ferry_porter(s->cd_m2[0], s->pupil_mm));
+    vm_print_wrapped(to, text, 0);
+}
+
 static void print_legend(FILE *to, const struct vm_sweep *s)
 {
-    char porter[200];
     fputc('\n', to);
     if (s->fields == 1)
         vm_print_wrapped(to,
@@ -158,13 +186,8 @@ static void print_legend(FILE *to, const struct vm_sweep *s)
                          "that is the limit.",
                          0);
     vm_print_wrapped(to, vm_sweep_model, 0);
-    if (s->luminances > 1)
-        return;
-    snprintf(porter, sizeof porter,
-             "For comparison: a small flashing field in the centre of the eye fuses at %.0f Hz, "
-             "whatever the phosphor (Ferry and Porter's law, its constants estimated).",
-             crt_cff_ferry_porter(s->cd_m2[0], s->pupil_mm));
-    vm_print_wrapped(to, porter, 0);
+    print_bright(to, s);
+    print_comparison(to, s);
 }
 
 void vm_sweep_print(FILE *to, const struct vm_sweep *s)

@@ -120,6 +120,11 @@ says "and the next one, too" 'trouble.lesson:14: calc: '
 report $? "there is no page then"
 ends "a folder that cannot be made" 1 "$lesson" -o "$work/none/none"
 
+guide=$(dirname "$0")/../../roms/laboratory/LESSONS.md
+sed -n '/^    # growing/,/^## /{/^## /d;s/^    //;p;}' "$guide" >"$work/growing.lesson"
+ends "the example of the guide holds" 0 "$work/growing.lesson" -o "$work/guide"
+says "what it expects" '1 lesson, 2 expectations hold'
+
 mkdir -p "$work/roms/laboratory"
 for n in 1 2; do
     sed "s/^order.*/order $((9 - n))/; s/^title.*/title Number $n/" "$lesson" >"$work/roms/laboratory/n$n.lesson"
