@@ -161,6 +161,8 @@ static bool find_head(struct vm_probe_job *job, const struct vm_machine *m, stru
     job->place.head = view == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR;
     if (job->place.kind != CRT_DIODE_SCREEN)
         vm_view_place(view, m, job->place.x, job->place.y, &job->place.x_mm, &job->place.y_mm);
+    if (job->o.along)
+        vm_view_place(view, m, job->along[0], job->along[1], &job->along_mm[0], &job->along_mm[1]);
     job->place.in_mm = true;
     return true;
 }
