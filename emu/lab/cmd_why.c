@@ -45,7 +45,10 @@ static const struct vm_option rows[] = {
     {"all", 0, VM_OPT_FLAG, ROW(all), "",
      "list every deposit by itself, not all of a source line, word or scan line together", 0, 0},
     {"least", 0, VM_OPT_REAL, ROW(least), "PERCENT",
-     "sum up what gives less than this part of the light in one line; default 0.01", 0, 100},
+     "sum up what gives less than this part of the light in one line; default 0.01; what gives "
+     "less than "
+     "1e-5 has faded, and is never listed",
+     0, 100},
     {"order", 0, VM_OPT_CHOICE, ROW(order), "share|time",
      "the largest share first (default), or the latest", 0, 0},
     {"symbols", 0, VM_OPT_STRING, ROW(symbols), "FILE.elf",

@@ -13,8 +13,9 @@
 #define DARK_CD_M2 1e-6
 
 /* How many sources the sentence names. */
-#define NAMED       3
-#define LEAST_NAMED 0.01
+#define NAMED        3
+#define LEAST_NAMED  0.01
+#define LEAST_OTHERS 1e-5 /* in it at all */
 
 /* A share above this is "all". */
 #define ALL 0.9995
@@ -98,7 +99,10 @@ static void add(struct sentence *s, const char *text)
 static void percent(double part, char *text, size_t size)
 {
     double p = 100 * part;
-    snprintf(text, size, p >= 99.95 ? "%.0f %%" : p >= 9.95 ? "%.1f %%" : "%.2g %%", p);
+    if (p < 1e-5)
+        snprintf(text, size, "<1e-5 %%");
+    else
+        snprintf(text, size, p >= 99.95 ? "%.0f %%" : p >= 9.95 ? "%.1f %%" : "%.2g %%", p);
 }
 
 static double part_of(const struct vm_why *why, double cd_m2)
@@ -150,7 +154,7 @@ static void add_sources(struct sentence *s, struct writer *w, const struct vm_wh
         add(s, text);
         add_drawn(s, w, entry);
     }
-    if (others > 0 && rest > 0) {
+    if (others > 0 && rest > LEAST_OTHERS * w->why->luminance) {
         percent(part_of(w->why, rest), share, sizeof share);
         snprintf(text, sizeof text, ", %s from %zu other piece%s", share, others,
                  others > 1 ? "s" : "");
