@@ -83,6 +83,8 @@ struct vm_shown {
     uint64_t from;                 /* when the show of it began: later than 0 with --load-state */
 };
 
+#define VM_SCOPE_PAST (CRT_PS_PER_S / 4) /* what an oscilloscope is shown again after a step */
+
 /* A photodiode and its oscilloscope (show_scope.c); it stays where it is from program to program. */
 struct vm_scope {
     bool in_hand; /* the mouse's click places it */
@@ -279,6 +281,8 @@ void vm_show_status(struct vm_show *show, double now);
 /* show_step.c: steps of show->unit, back (−1) and forward (1); the machine stands there, paused, and the
  * light of the tick that ends there is shown. */
 void vm_show_step(struct vm_show *show, int direction);
+/* At rest: what led here once more, for who has just begun to look. */
+void vm_show_look_again(struct vm_show *show);
 void vm_show_next_unit(struct vm_show *show);
 void vm_show_check_unit(struct vm_show *show); /* of another program */
 /* Remembers the run as it goes; what came from outside; that it begins anew. */

@@ -73,7 +73,9 @@ static void place_at(struct vm_show *show, enum vm_head head, double x_mm, doubl
     if (!put_on(show, &err)) {
         show->scope.placed = false;
         vm_show_say(show, err.text);
+        return;
     }
+    vm_show_look_again(show);
 }
 
 /* ---- in hand -------------------------------------------------------------------------------------

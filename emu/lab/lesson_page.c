@@ -13,6 +13,7 @@ struct page {
     const struct vm_lesson *lesson;
     const struct vm_lesson_results *results;
     const struct vm_lesson_look *look;
+    int level;        /* of the lesson's heading */
     const char *open; /* the group of lines that stands open, as its end tag; NULL: none */
     struct crt_error *err;
 };
@@ -239,10 +240,10 @@ static void put_warning(const struct page *p)
 static bool put_step(struct page *p, int s)
 {
     const struct vm_lesson_step *step = &p->lesson->step[s];
-    fprintf(p->out, "<section class=\"slide\" id=\"%s.%s\">\n<h3>%d. ", p->lesson->name, step->name,
-            s + 1);
+    fprintf(p->out, "<section class=\"slide\" id=\"%s.%s\">\n<h%d>%d. ", p->lesson->name,
+            step->name, p->level + 1, s + 1);
     vm_html_prose(p->out, step->heading);
-    fputs("</h3>\n", p->out);
+    fprintf(p->out, "</h%d>\n", p->level + 1);
     if (step->flashes >= 0 && !p->look->no_flash) {
         const char *how = p->lesson->line[step->flashes].text;
         fprintf(p->out, "<p class=\"warn\" role=\"note\">Flashes when shown live%s",
@@ -255,12 +256,12 @@ static bool put_step(struct page *p, int s)
     return ok;
 }
 
-static bool put_lesson(struct page *p, int level)
+static bool put_lesson(struct page *p)
 {
     const struct vm_lesson *l = p->lesson;
-    fprintf(p->out, "<article id=\"%s\">\n<div class=\"slide\">\n<h%d>", l->name, level);
+    fprintf(p->out, "<article id=\"%s\">\n<div class=\"slide\">\n<h%d>", l->name, p->level);
     vm_html_prose(p->out, l->title);
-    fprintf(p->out, "</h%d>\n<p class=\"lead\">", level);
+    fprintf(p->out, "</h%d>\n<p class=\"lead\">", p->level);
     vm_html_prose(p->out, l->summary);
     fputs("</p>\n", p->out);
     if (vm_lesson_flashes(l) && !p->look->no_flash)
@@ -316,8 +317,8 @@ bool vm_lesson_page(FILE *out, const struct vm_lesson_results *results, int coun
         put_beginning(out, results, count);
     fputs("<main>\n", out);
     for (int i = 0; ok && i < count; i++) {
-        struct page p = {out, results[i].lesson, &results[i], look, NULL, err};
-        ok = put_lesson(&p, count > 1 ? 2 : 1);
+        struct page p = {out, results[i].lesson, &results[i], look, count > 1 ? 2 : 1, NULL, err};
+        ok = put_lesson(&p);
     }
     fprintf(
         out,

@@ -5,8 +5,8 @@
  *      [sync] point at · char   text … point at · char …    characters, in lines
  *
  * Models:     the display processor's arithmetic (display_file/dpu.h): words are fetched one after the
- *             other, the generators work between fetches. Vectors and points lie on a zigzag of constant
- *             width, so that each moves the beam equally far.
+ *             other, the generators work between fetches. Vectors and points lie on a zigzag, in
+ *             columns, in which each moves the beam equally far and none crosses another.
  * Time:       picoseconds.
  * Units:      head units.
  * Ownership:  plain values; the stream stays the caller's.

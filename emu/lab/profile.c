@@ -136,5 +136,7 @@ bool vm_profile_measure(struct vm_profile *p, uint64_t t0, uint64_t t1,
         falls_to(p, top, 1, 0.5 * f->crest_cd_m2) - falls_to(p, top, -1, 0.5 * f->crest_cd_m2);
     if (f->crest_cd_m2 > 0)
         find_crests(p, f);
+    f->width60_mm = f->apart_mm < f->width60_mm ? NAN : f->width60_mm;
+    f->width50_mm = f->apart_mm < f->width50_mm ? NAN : f->width50_mm;
     return true;
 }

@@ -6,7 +6,7 @@
  * Units:      mm from the line's first end, cd/m²; times in picoseconds.
  * Crests:     local maxima of at least a hundredth of the highest that stand out by a thousandth of it.
  * Widths:     of the highest crest, at 60 % and at half of it, by straight lines between points; NaN where the line
- *             ends before.
+ *             ends before, or another crest is in the way.
  * Dip:        the least between the two highest crests; dip_modulation = (c − d)/(c + d), c the lower of
  *             the two crests; 0 when there is one crest.
  * Ownership:  vm_profile_open allocates and opens the diodes, vm_profile_close frees them, before the
