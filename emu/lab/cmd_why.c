@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "emu/command.h"
 #include "emu/lab/why_text.h"
@@ -118,15 +117,12 @@ static bool take_symbols(struct asking *a, struct crt_error *err)
     return true;
 }
 
-/* Octal words and tapes have lines, but no source. */
 static struct vm_why_names names_of(const struct asking *a)
 {
-    const struct df_program *p = &a->input.program;
-    const char *dot = p->file_count ? strrchr(p->files[0], '.') : NULL;
-    bool source = p->words && dot && strcasecmp(dot, ".df") == 0;
-    return (struct vm_why_names){.program = source ? p : NULL,
-                                 .elf = a->symbols ? &a->elf : &a->input.elf,
-                                 .lines = a->lines};
+    struct vm_why_names names = vm_why_names_of(&a->input, a->lines);
+    if (a->symbols)
+        names.elf = &a->elf;
+    return names;
 }
 
 /* ---- when, and of which head ----------------------------------------------------------------- */
