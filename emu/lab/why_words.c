@@ -66,17 +66,18 @@ static void say_words(const struct vm_why_deposit *d, char *text, size_t size)
 static void say_dots(const struct vm_why_deposit *d, char *text, size_t size)
 {
     const struct vm_why_row *row = &d->row;
-    char dots[48], bytes[48] = "";
-    if (row->first == row->last)
-        snprintf(dots, sizeof dots, "dot %d", (int)row->dot);
+    char dots[64], byte[64];
+    bool one = row->first == row->last;
+    snprintf(byte, sizeof byte, "byte %06x of the buffer", (unsigned)row->address);
+    if (one)
+        snprintf(dots, sizeof dots, "dot %d, ", (int)row->dot);
+    else if (row->overscan)
+        snprintf(dots, sizeof dots, "dots %d-%d, ", (int)row->first, (int)row->last);
     else
-        snprintf(dots, sizeof dots, "dots %d-%d", (int)row->first, (int)row->last);
-    if (row->overscan)
-        snprintf(bytes, sizeof bytes, "overscan");
-    else
-        snprintf(bytes, sizeof bytes, "dot %d is byte %06x of the buffer", (int)row->dot,
-                 (unsigned)row->address);
-    snprintf(text, size, "scan line %d, %s; %s", (int)row->row, dots, bytes);
+        snprintf(dots, sizeof dots, "dots %d-%d; dot %d is ", (int)row->first, (int)row->last,
+                 (int)row->dot);
+    snprintf(text, size, "scan line %d, %s%s", (int)row->row, dots,
+             row->overscan ? "overscan" : byte);
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */

@@ -125,7 +125,7 @@ t=$(echo "$t" | sed 's/^0*//')
 report $? "a trace has that store at that time"
 as_probed "the light of a pixel is what the probe sees" $pixel.elf 320,240 84
 "$KINESCOPE" why $pixel.elf --at 10,10 --time 80ms >"$work/said" 2>&1
-says "who left a pixel black" 'is dark at .*passed there .* scan line 10, dot 10; dot 10 is byte 00280a of the buffer, which nobody'
+says "who left a pixel black" 'is dark at .*passed there .* scan line 10, dot 10, byte 00280a of the buffer, to which nobody'
 "$KINESCOPE" why roms/clock.elf --at 512,700 --time 300ms >"$work/said" 2>&1
 says "a word that firmware wrote" 'from display word [0-7]* (.*stored by put+0x'
 
