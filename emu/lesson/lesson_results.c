@@ -1,4 +1,4 @@
-#include "emu/lab/lesson_results.h"
+#include "emu/lesson/lesson_results.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,13 +1,13 @@
 #define _XOPEN_SOURCE 700 /* realpath */
-#include "emu/lab/lesson_run.h"
+#include "emu/lesson/lesson_run.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/wait.h>
 
-#include "emu/lab/lesson_child.h"
-#include "emu/lab/lesson_command.h"
+#include "emu/lesson/lesson_child.h"
+#include "emu/lesson/lesson_command.h"
 #include "emu/out_file.h"
 
 #define AT_ONCE_MOST 16

@@ -3,8 +3,8 @@
  * Ownership:  nothing.
  * Errors:     those of the stream.
  */
-#ifndef EMU_LAB_HTML_H
-#define EMU_LAB_HTML_H
+#ifndef EMU_LESSON_HTML_H
+#define EMU_LESSON_HTML_H
 
 #include <stdio.h>
 

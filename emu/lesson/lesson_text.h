@@ -3,12 +3,12 @@
  * Ownership:  nothing.
  * Errors:     a figure that is not there: "FILE:LINE: sentence".
  */
-#ifndef EMU_LAB_LESSON_TEXT_H
-#define EMU_LAB_LESSON_TEXT_H
+#ifndef EMU_LESSON_LESSON_TEXT_H
+#define EMU_LESSON_LESSON_TEXT_H
 
 #include <stdio.h>
 
-#include "emu/lab/lesson_results.h"
+#include "emu/lesson/lesson_results.h"
 
 struct vm_lesson_look {
     bool projector; /* large type, high contrast */

@@ -4,8 +4,8 @@
  * Ownership:  vm_child_start opens, vm_child_end closes; its texts are malloced.
  * Errors:     one sentence.
  */
-#ifndef EMU_LAB_LESSON_CHILD_H
-#define EMU_LAB_LESSON_CHILD_H
+#ifndef EMU_LESSON_LESSON_CHILD_H
+#define EMU_LESSON_LESSON_CHILD_H
 
 #include <stdio.h>
 #include <sys/types.h>

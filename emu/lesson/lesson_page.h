@@ -8,10 +8,10 @@
  * Ownership:  nothing.
  * Errors:     "FILE:LINE: sentence", or that of a result which cannot be read.
  */
-#ifndef EMU_LAB_LESSON_PAGE_H
-#define EMU_LAB_LESSON_PAGE_H
+#ifndef EMU_LESSON_LESSON_PAGE_H
+#define EMU_LESSON_LESSON_PAGE_H
 
-#include "emu/lab/lesson_text.h"
+#include "emu/lesson/lesson_text.h"
 
 bool vm_lesson_page(FILE *out, const struct vm_lesson_results *results, int count,
                     const struct vm_lesson_look *look, struct crt_error *err);

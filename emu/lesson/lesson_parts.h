@@ -3,10 +3,10 @@
  * Ownership:  the lesson's.
  * Errors:     "FILE:LINE: sentence".
  */
-#ifndef EMU_LAB_LESSON_PARTS_H
-#define EMU_LAB_LESSON_PARTS_H
+#ifndef EMU_LESSON_LESSON_PARTS_H
+#define EMU_LESSON_LESSON_PARTS_H
 
-#include "emu/lab/lesson.h"
+#include "emu/lesson/lesson.h"
 
 /* After all lines are there: captions, results, figures that are quoted, what is missing. */
 bool vm_lesson_check(struct vm_lesson *lesson, struct crt_error *err);

@@ -10,8 +10,8 @@
  * Errors:     "FILE:LINE: sentence". Any bytes may be given: what is not UTF-8 text of this format is
  *             refused.
  */
-#ifndef EMU_LAB_LESSON_H
-#define EMU_LAB_LESSON_H
+#ifndef EMU_LESSON_LESSON_H
+#define EMU_LESSON_LESSON_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,10 +1,10 @@
-#include "emu/lab/lesson_page.h"
+#include "emu/lesson/lesson_page.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "emu/lab/html.h"
-#include "emu/lab/lesson_command.h"
+#include "emu/lesson/html.h"
+#include "emu/lesson/lesson_command.h"
 
 #define ROWS_SHOWN 40
 

@@ -1,4 +1,4 @@
-#include "emu/lab/lesson_expect.h"
+#include "emu/lesson/lesson_expect.h"
 
 #include <math.h>
 #include <stdio.h>

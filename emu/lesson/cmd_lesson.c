@@ -8,9 +8,9 @@
 #include <unistd.h>
 
 #include "emu/command.h"
-#include "emu/lab/lesson_folder.h"
-#include "emu/lab/lesson_page.h"
-#include "emu/lab/lesson_run.h"
+#include "emu/lesson/lesson_folder.h"
+#include "emu/lesson/lesson_page.h"
+#include "emu/lesson/lesson_run.h"
 #include "emu/out_file.h"
 #include "emu/progress.h"
 #include "emu/roms.h"

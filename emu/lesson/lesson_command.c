@@ -1,4 +1,4 @@
-#include "emu/lab/lesson_command.h"
+#include "emu/lesson/lesson_command.h"
 
 #include <stdio.h>
 #include <stdlib.h>

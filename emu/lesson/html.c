@@ -1,4 +1,4 @@
-#include "emu/lab/html.h"
+#include "emu/lesson/html.h"
 
 #include <stdbool.h>
 #include <string.h>

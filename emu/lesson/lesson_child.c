@@ -1,4 +1,4 @@
-#include "emu/lab/lesson_child.h"
+#include "emu/lesson/lesson_child.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -3,10 +3,10 @@
  * Ownership:  vm_lesson_folder_read allocates, vm_lesson_folder_free frees.
  * Errors:     one sentence; a lesson that cannot be read is told with file and line.
  */
-#ifndef EMU_LAB_LESSON_FOLDER_H
-#define EMU_LAB_LESSON_FOLDER_H
+#ifndef EMU_LESSON_LESSON_FOLDER_H
+#define EMU_LESSON_LESSON_FOLDER_H
 
-#include "emu/lab/lesson.h"
+#include "emu/lesson/lesson.h"
 
 #define VM_LESSONS_MAX 64
 

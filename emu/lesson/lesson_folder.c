@@ -1,4 +1,4 @@
-#include "emu/lab/lesson_folder.h"
+#include "emu/lesson/lesson_folder.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "emu/lab/lesson_parts.h"
+#include "emu/lesson/lesson_parts.h"
 
 #define ENDING ".lesson"
 

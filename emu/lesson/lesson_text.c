@@ -1,9 +1,9 @@
-#include "emu/lab/lesson_text.h"
+#include "emu/lesson/lesson_text.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "emu/lab/lesson_command.h"
+#include "emu/lesson/lesson_command.h"
 
 const char vm_lesson_left_out[] = "Not shown live, as it would flash: see the picture instead.";
 

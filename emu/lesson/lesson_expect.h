@@ -6,10 +6,10 @@
  * Ownership:  plain values; `label` points into the text.
  * Errors:     one sentence without the place.
  */
-#ifndef EMU_LAB_LESSON_EXPECT_H
-#define EMU_LAB_LESSON_EXPECT_H
+#ifndef EMU_LESSON_LESSON_EXPECT_H
+#define EMU_LESSON_LESSON_EXPECT_H
 
-#include "emu/lab/lesson_words.h"
+#include "emu/lesson/lesson_words.h"
 
 enum vm_expect_kind {
     VM_EXPECT_RANGE,

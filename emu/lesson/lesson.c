@@ -1,10 +1,10 @@
-#include "emu/lab/lesson.h"
+#include "emu/lesson/lesson.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "emu/input_file.h"
-#include "emu/lab/lesson_parts.h"
+#include "emu/lesson/lesson_parts.h"
 
 const char vm_lesson_warning[] = "Photosensitivity warning: parts of this lesson, shown live, "
                                  "flash between 3 and 30 times a second, "

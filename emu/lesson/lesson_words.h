@@ -6,14 +6,14 @@
  * Ownership:  vm_words_split and vm_quote_fill allocate; vm_words_free and free() free.
  * Errors:     one sentence without the place.
  */
-#ifndef EMU_LAB_LESSON_WORDS_H
-#define EMU_LAB_LESSON_WORDS_H
+#ifndef EMU_LESSON_LESSON_WORDS_H
+#define EMU_LESSON_LESSON_WORDS_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "crt/error.h"
-#include "emu/lab/lesson_figures.h"
+#include "emu/lesson/lesson_figures.h"
 
 #define VM_WORDS_MAX 64
 

@@ -6,11 +6,11 @@
  * Ownership:  vm_lesson_command allocates, vm_words_free and free() free.
  * Errors:     one sentence without the place.
  */
-#ifndef EMU_LAB_LESSON_COMMAND_H
-#define EMU_LAB_LESSON_COMMAND_H
+#ifndef EMU_LESSON_LESSON_COMMAND_H
+#define EMU_LESSON_LESSON_COMMAND_H
 
-#include "emu/lab/lesson.h"
-#include "emu/lab/lesson_words.h"
+#include "emu/lesson/lesson.h"
+#include "emu/lesson/lesson_words.h"
 
 /* Whether a lesson may have it as `word`; the file that it names for its result goes into `file`, else "". */
 bool vm_lesson_command_check(enum vm_lesson_word word, const char *text, char *file, size_t size,

@@ -1,5 +1,5 @@
 /* lesson_style.c — how the page of a lesson looks, on a screen, by a projector and on paper. */
-#include "emu/lab/lesson_page.h"
+#include "emu/lesson/lesson_page.h"
 
 /* Contrast of text to ground is 7 : 1 or more (WCAG 2.2, 1.4.6). */
 const char vm_lesson_style[] =

@@ -5,8 +5,8 @@
  * Ownership:  vm_figures_read allocates, vm_figures_free frees.
  * Errors:     one sentence; more than 4096 figures or 16 levels are refused.
  */
-#ifndef EMU_LAB_LESSON_FIGURES_H
-#define EMU_LAB_LESSON_FIGURES_H
+#ifndef EMU_LESSON_LESSON_FIGURES_H
+#define EMU_LESSON_LESSON_FIGURES_H
 
 #include <stdbool.h>
 #include <stddef.h>

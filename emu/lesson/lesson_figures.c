@@ -1,4 +1,4 @@
-#include "emu/lab/lesson_figures.h"
+#include "emu/lesson/lesson_figures.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,12 +5,12 @@
  * Ownership:  vm_lesson_results_init allocates, vm_lesson_results_free frees; the lesson must live as long.
  * Errors:     "FILE:LINE: sentence".
  */
-#ifndef EMU_LAB_LESSON_RESULTS_H
-#define EMU_LAB_LESSON_RESULTS_H
+#ifndef EMU_LESSON_LESSON_RESULTS_H
+#define EMU_LESSON_LESSON_RESULTS_H
 
-#include "emu/lab/lesson.h"
-#include "emu/lab/lesson_expect.h"
-#include "emu/lab/lesson_words.h"
+#include "emu/lesson/lesson.h"
+#include "emu/lesson/lesson_expect.h"
+#include "emu/lesson/lesson_words.h"
 
 struct vm_lesson_result {
     char *said;    /* on standard output; NULL: not run */

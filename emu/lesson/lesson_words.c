@@ -1,4 +1,4 @@
-#include "emu/lab/lesson_words.h"
+#include "emu/lesson/lesson_words.h"
 
 #include <stdio.h>
 #include <stdlib.h>

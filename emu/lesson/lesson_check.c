@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "emu/lab/lesson_command.h"
-#include "emu/lab/lesson_expect.h"
-#include "emu/lab/lesson_parts.h"
+#include "emu/lesson/lesson_command.h"
+#include "emu/lesson/lesson_expect.h"
+#include "emu/lesson/lesson_parts.h"
 
 #define CAPTION_FOR "picture, plot, table or live"
 

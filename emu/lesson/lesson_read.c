@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "emu/lab/lesson.h"
-#include "emu/lab/lesson_parts.h"
+#include "emu/lesson/lesson.h"
+#include "emu/lesson/lesson_parts.h"
 #include "emu/options.h"
 
 static const char *const words[VM_LESSON_WORDS] = {

@@ -7,10 +7,10 @@
  * Ownership:  the caller's results.
  * Errors:     told one by one, "FILE:LINE: sentence": a lesson's mistakes are found in one go.
  */
-#ifndef EMU_LAB_LESSON_RUN_H
-#define EMU_LAB_LESSON_RUN_H
+#ifndef EMU_LESSON_LESSON_RUN_H
+#define EMU_LESSON_LESSON_RUN_H
 
-#include "emu/lab/lesson_results.h"
+#include "emu/lesson/lesson_results.h"
 
 struct vm_lesson_run {
     const char *roms; /* absolute: what roms/ means */
