@@ -164,13 +164,12 @@ static void screenshot(struct vm_show *show)
     do
         snprintf(name, sizeof name, "kinescope-%03d.png", ++show->shots);
     while (show->shots < 999 && access(name, F_OK) == 0);
-    bool ok = vm_show_picture(show, &image, &err);
+    bool ok = vm_show_scope_save(show, name, &err) && vm_show_picture(show, &image, &err);
     if (ok) {
         ok = vm_picture_write(name, &image, show->program->input.name, &show->program->settings,
                               show->view_drawn, vm_show_frame(show), &err);
         crt_image_free(&image);
     }
-    ok = ok && vm_show_scope_save(show, name, &err);
     snprintf(text, sizeof text, "screenshot %s", name);
     vm_show_say(show, ok ? text : err.text);
 }
