@@ -150,17 +150,24 @@ static void say_beam(struct line *l, const struct vm_machine *m)
     say(l, text);
 }
 
-static void say_line(struct line *l, const struct vm_machine *m)
+/* Where the raster head's beam has come to; of a step by a line, that line. */
+static void say_line(struct line *l, const struct vm_machine *m, bool step)
 {
     uint32_t line, dot;
     char text[96];
-    if (!ras_head_beam(&m->raster, m->now, &line, &dot))
+    /* At a line's end the next one begins: it is the last moment before that is meant. */
+    if (m->now == 0 || !ras_head_beam(&m->raster, m->now - 1, &line, &dot))
         return;
     const struct ras_timing *t = &m->raster.timing;
-    const char *where = line >= t->v.visible  ? " (vertical blanking)"
-                        : dot >= t->h.visible ? " (blanking)"
-                                              : "";
-    snprintf(text, sizeof text, "line %u, dot %u%s", (unsigned)line, (unsigned)dot, where);
+    const char *where = line >= t->v.visible           ? " (vertical blanking)"
+                        : !step && dot >= t->h.visible ? " (blanking)"
+                                                       : "";
+    size_t n =
+        (size_t)snprintf(text, sizeof text, "line %u of %u", (unsigned)line, (unsigned)t->v.total);
+    if (!step)
+        n += (size_t)snprintf(text + n, sizeof text - n, ", dot %u of %u", (unsigned)dot,
+                              (unsigned)t->h.total);
+    snprintf(text + n, sizeof text - n, "%s", where);
     say(l, text);
 }
 
@@ -195,5 +202,5 @@ void vm_capture_caption(const struct vm_capture *c, uint64_t number, char *text,
     if ((side->view & VM_VIEW_VECTOR) && c->step != VM_STEP_LINE)
         say_beam(&line, m);
     if (side->view & VM_VIEW_RASTER)
-        say_line(&line, m);
+        say_line(&line, m, c->step == VM_STEP_LINE);
 }
