@@ -60,7 +60,7 @@ static bool slide(struct vm_show *show, uint64_t until)
         return got;
     show->shutter = 0;
     vm_show_say(show, err.text);
-    return film(show, &p->frame, until);
+    return p->rig.machine->now < until && film(show, &p->frame, until);
 }
 
 void vm_show_expose(struct vm_show *show, uint64_t until)
