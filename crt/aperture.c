@@ -9,7 +9,7 @@
 #define PI       3.14159265358979324
 #define ROOT_TWO 1.41421356237309505
 
-#define STEPS_A_LOG   128.0 /* sigmas that have a table: e^(n/STEPS_A_LOG) */
+#define STEPS_A_LOG   256.0 /* sigmas that have a table: e^(n/STEPS_A_LOG) */
 #define STEPS_A_SIGMA 16.0  /* of distance */
 
 struct crt_disc_table {
@@ -47,6 +47,22 @@ double crt_aperture_reach(const struct crt_aperture *a, double sigma_mm)
 
 /* ---- tables of discs --------------------------------------------------------------------------- */
 
+/* asin to 1e-6: the reach of a spot need not be exact. */
+static double angle_of(double sine)
+{
+    double a = -PI / 2, b = PI / 2;
+    if (sine >= 1 || sine <= -1)
+        return sine > 0 ? b : a;
+    for (int i = 0; i < 21; i++) {
+        double middle = (a + b) / 2;
+        if (crt_sin(middle) < sine)
+            a = middle;
+        else
+            b = middle;
+    }
+    return (a + b) / 2;
+}
+
 /* Mean over the disc of a spot at distance d, and its derivative; u = R·sin(angle) takes the root out of the
  * half chords. */
 static void disc_density(double radius, double sigma, double d, double *density, double *slope)
@@ -57,19 +73,7 @@ static void disc_density(double radius, double sigma, double d, double *density,
     *density = *slope = 0;
     if (low >= high)
         return;
-    /* asin by two-argument means is not at hand: bisect once and for all. */
-    double a = -PI / 2, b = PI / 2;
-    for (int side = 0; side < 2; side++) {
-        double want = side ? high : low, lo = -PI / 2, hi = PI / 2;
-        for (int i = 0; i < 60; i++) {
-            double mid = (lo + hi) / 2;
-            if (crt_sin(mid) < want)
-                lo = mid;
-            else
-                hi = mid;
-        }
-        *(side ? &b : &a) = (lo + hi) / 2;
-    }
+    double a = angle_of(low), b = angle_of(high);
     int panels = (int)fmin(ceil((high - low) * radius / sigma * 2), 400) + 3;
     for (int p = 0; p < panels; p++) {
         double from = a + (b - a) * p / panels, to = a + (b - a) * (p + 1) / panels;

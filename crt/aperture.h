@@ -4,7 +4,7 @@
  * Models:     density of a spot's light, 1/mm²: a Gaussian at the point's distance; its mean over a disc; or
  *             1/(useful screen area). The mean over a disc of radius R at distance d from its middle is
  *             1/(πR²)·∫ g(u − d)·erf(h(u)/(√2·sigma)) du over the disc's breadth, h(u) = sqrt(R² − u²), tabled
- *             against d for sigmas in steps of 1/128 of their logarithm.
+ *             against d for sigmas in steps of 1/256 of their logarithm.
  * Units:      mm.
  * Accuracy:   of the disc, 1e-5 of what is seen of a spot in its middle; point and screen are exact.
  * Ownership:  crt_aperture_free releases the tables; views borrow them and hold until then.

@@ -14,7 +14,7 @@
  * Ownership:  plain values.
  * Errors:     none; figures that do not apply are NaN.
  * Not modelled: differences between people beyond the 95 %, surround and adaptation, eye movements, fields
- *             seen aside.
+ *             seen aside; that the CFF levels off above some 10⁴ trolands (CRT_FLICKER_TROLANDS).
  */
 #ifndef CRT_FLICKER_H
 #define CRT_FLICKER_H
@@ -48,6 +48,10 @@ struct crt_viewer {
     int field;       /* index into crt_fields_deg */
     double pupil_mm; /* 3 by default */
 };
+
+/* Up to here the CFF is known to rise with the logarithm: Tyler and Hamer, J. Opt. Soc. Am. A 7, 1990;
+ * Fernandez-Alonso, Innes and Read, Vision 7, 26, 2023, who saw it level off above. */
+#define CRT_FLICKER_TROLANDS 1e4
 
 double crt_trolands(double cd_m2, double pupil_mm);
 /* The CFF of modulation C1 at that frequency itself, the only one at which both agree; luminance is the mean.

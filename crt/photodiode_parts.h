@@ -166,8 +166,9 @@ struct crt_diode_stretch {
 double crt_stretch_at(const struct crt_phosphor *phosphor, const struct crt_diode_stretch *s,
                       double t);
 typedef void crt_stretch_fn(void *context, const struct crt_diode_stretch *stretch);
-void crt_diode_walk(struct crt_photodiode *diode, uint64_t t0, uint64_t t1, crt_stretch_fn *each,
-                    void *context);
+/* Stretches that cross `level` while light falls are cut up until that is exact; infinity: none are. */
+void crt_diode_walk(struct crt_photodiode *diode, uint64_t t0, uint64_t t1, double level,
+                    crt_stretch_fn *each, void *context);
 
 /* ---- the tube (tube.c, tube_state.c) ----------------------------------------------------------------- */
 

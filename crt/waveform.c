@@ -47,18 +47,25 @@ static double area_of(const struct measuring *m, const struct crt_diode_stretch 
     return sum;
 }
 
-/* When the luminance crosses the level, once between a and b. */
+/* When the luminance crosses the level, once: regula falsi, halving what stays put (Illinois). */
 static double crossing_in(const struct measuring *m, const struct crt_diode_stretch *s,
                           double level)
 {
-    double a = 0, b = s->seconds;
-    bool falls = s->first > level;
-    for (int i = 0; i < 60; i++) {
-        double middle = (a + b) / 2;
-        if ((crt_stretch_at(m->phosphor, s, middle) > level) == falls)
-            a = middle;
-        else
+    double a = 0, b = s->seconds, fa = s->first - level, fb = s->last - level;
+    for (int i = 0; i < 60 && b - a > 1e-13 * s->seconds; i++) {
+        double middle = i % 8 == 7 ? (a + b) / 2 : (a * fb - b * fa) / (fb - fa);
+        double f = crt_stretch_at(m->phosphor, s, middle) - level;
+        if (fabs(f) < 1e-14 * level)
+            return middle;
+        if ((f > 0) == (fb > 0)) {
             b = middle;
+            fb = f;
+            fa /= 2;
+        } else {
+            a = middle;
+            fa = f;
+            fb /= 2;
+        }
     }
     return (a + b) / 2;
 }
@@ -210,9 +217,9 @@ void crt_waveform_measure(struct crt_photodiode *diode, uint64_t t0, uint64_t t1
     m.mean = (light[0] + light[1] + light[2]) / crt_seconds(t0, t1);
     if (!(m.mean > 0))
         return;
-    crt_diode_walk(diode, t0, t1, note_ends, &m);
+    crt_diode_walk(diode, t0, t1, INFINITY, note_ends, &m);
     find_peak(&m);
-    crt_diode_walk(diode, t0, t1, add_above, &m);
+    crt_diode_walk(diode, t0, t1, m.mean, add_above, &m);
     figures->mean_cd_m2 = m.mean;
     figures->peak_cd_m2 = m.peak;
     figures->least_cd_m2 = m.least;

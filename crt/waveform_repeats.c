@@ -8,9 +8,9 @@
 
 /* A refresh is a run of `lag` deposits whose sources come again in the same order. */
 #define MOST_LAG 8192
-#define ALIKE    0.9  /* of sources that agree with those a refresh later */
-#define EVEN     0.02 /* of intervals that may be far from the median: pauses */
+#define STRAY    0.02 /* of the deposits may be out of order, or far from the median: pauses */
 #define FAR      0.1
+#define PAUSES   4 /* times longer than the median the mean may be because of them */
 
 struct again {
     double seconds, weight;
@@ -50,13 +50,13 @@ static double median(struct again *again, size_t count)
 /* Intervals between deposits `lag` apart that have the same source; 0 when too few have. */
 static size_t intervals(const struct repeats *r, size_t lag)
 {
-    size_t pairs = r->count - lag, found = 0, missed = 0;
+    size_t pairs = r->count - lag, found = 0, strays = 0;
     for (size_t i = 0; i < pairs; i++) {
         const struct crt_deposit *a = &r->at[i], *b = &r->at[i + lag];
         if (a->source == b->source) {
             double between = crt_seconds(a->t0, b->t0) + b->mean_t_s - a->mean_t_s;
             r->again[found++] = (struct again){between, light_of(a)};
-        } else if (++missed > (size_t)((1 - ALIKE) * (double)pairs)) {
+        } else if (++strays > (size_t)(STRAY * (double)pairs)) {
             return 0;
         }
     }
@@ -66,17 +66,19 @@ static size_t intervals(const struct repeats *r, size_t lag)
 /* How far intervals are from their median, on average, in parts of it; above 1: not even at all. */
 static double unevenness(const struct repeats *r, size_t found, double *middle)
 {
-    double sum = 0;
-    size_t far = 0;
+    double off = 0, all = 0;
+    size_t strays = 0;
     *middle = median(r->again, found);
     for (size_t i = 0; i < found; i++) {
-        double off = fabs(r->again[i].seconds / *middle - 1);
-        far += off > FAR;
-        sum += fmin(off, FAR);
+        double away = fabs(r->again[i].seconds - *middle);
+        strays += away > FAR * *middle;
+        off += fmin(away, FAR * *middle);
+        all += r->again[i].seconds;
     }
-    if (!(*middle > 0) || (double)far > EVEN * (double)found)
+    if (!(*middle > 0) || (double)strays > STRAY * (double)found ||
+        all > PAUSES * *middle * (double)found)
         return 2;
-    return sum / (double)found;
+    return off / *middle / (double)found;
 }
 
 /* The period of the whole run of deposits; 0: none. */

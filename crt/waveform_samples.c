@@ -48,7 +48,7 @@ void crt_waveform_ranges(struct crt_photodiode *diode, uint64_t t0, uint64_t t1,
     struct columns c = {diode->tube->desc.phosphor, crt_seconds(t0, t1) / (double)n, n, range};
     for (size_t i = 0; i < n; i++)
         range[i] = (struct crt_waveform_range){INFINITY, 0};
-    crt_diode_walk(diode, t0, t1, add_stretch, &c);
+    crt_diode_walk(diode, t0, t1, INFINITY, add_stretch, &c);
     for (size_t i = 0; i < n; i++)
         range[i].least = fmin(range[i].least, range[i].most);
 }

@@ -8,15 +8,13 @@
 
 #define LINES_MAX     16
 #define MARGIN_DOTS   4 /* between a panel and the edge of the window */
-#define PAD_DOTS      5 /* between a panel's edge and its text */
 #define FADE_S        0.6
-#define FADE_LEVELS   16 /* steps in which a message fades: each is a redraw */
 #define HELP_ROWS_MAX 96
 #define HELP_GAP      3  /* letters between keys and meanings */
 #define HELP_COLUMNS  58 /* longer lines wrap */
 #define HELP_NARROW   28 /* letters that a meaning should have */
 #define HELP_PAD      10 /* dots */
-#define PANEL_ALPHA   190
+#define PANEL_ALPHA   205
 
 struct vm_hud *vm_hud_create(struct crt_error *err)
 {
@@ -83,6 +81,12 @@ void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_
     }
 }
 
+void vm_hud_help_side(struct vm_hud *hud, enum vm_hud_side side)
+{
+    hud->stale |= hud->help_side != side;
+    hud->help_side = side;
+}
+
 bool vm_hud_help_shown(const struct vm_hud *hud)
 {
     return hud->help_shown;
@@ -110,8 +114,8 @@ static int smaller(int a, int b)
     return a < b ? a : b;
 }
 
-/* Pixels a dot: 1 below 740 pixels, 2 up to 1279, 4 on a 2160-line monitor. */
-static int dot_size(int width, int height)
+/* 1 below 740 pixels, 2 up to 1279, 4 on a 2160-line monitor. */
+int vm_hud_dot(int width, int height)
 {
     int dot = (smaller(width, height) + 340) / 540;
     return dot > 1 ? dot : 1;
@@ -119,18 +123,17 @@ static int dot_size(int width, int height)
 
 int vm_hud_columns(int width, int height)
 {
-    int dot = dot_size(width, height);
-    return (width - 2 * (MARGIN_DOTS + PAD_DOTS) * dot) / (VM_LETTER_DOTS * dot);
+    int dot = vm_hud_dot(width, height);
+    return (width - 2 * (MARGIN_DOTS + VM_HUD_PAD_DOTS) * dot) / (VM_LETTER_DOTS * dot);
 }
 
 static struct vm_colour faded(struct vm_colour colour, int level)
 {
-    colour.a = (uint8_t)(colour.a * level / FADE_LEVELS);
+    colour.a = (uint8_t)(colour.a * level / VM_HUD_LEVELS);
     return colour;
 }
 
-/* A dark panel with a fine rim of the ink's colour. */
-static void draw_panel(struct vm_hud *hud, int which, struct vm_box box, int dot, int level)
+void vm_hud_draw_panel(struct vm_hud *hud, int which, struct vm_box box, int dot, int level)
 {
     const struct vm_colour dark = {8, 11, 13, PANEL_ALPHA};
     struct vm_colour rim = hud->ink;
@@ -158,8 +161,8 @@ static void draw_line(struct vm_hud *hud, int x, int y, int dot, struct vm_colou
 /* A panel of wrapped text whose bottom lies at `bottom`; returns its top. */
 static int draw_text_panel(struct vm_hud *hud, int which, const char *text, int bottom, int level)
 {
-    int dot = dot_size(hud->canvas.width, hud->canvas.height);
-    int margin = MARGIN_DOTS * dot, pad = PAD_DOTS * dot, letter = VM_LETTER_DOTS * dot;
+    int dot = vm_hud_dot(hud->canvas.width, hud->canvas.height);
+    int margin = MARGIN_DOTS * dot, pad = VM_HUD_PAD_DOTS * dot, letter = VM_LETTER_DOTS * dot;
     int columns = vm_hud_columns(hud->canvas.width, hud->canvas.height);
     int room = (bottom - margin - 2 * pad) / (VM_LINE_DOTS * dot);
     struct vm_line lines[LINES_MAX];
@@ -174,7 +177,7 @@ static int draw_text_panel(struct vm_hud *hud, int which, const char *text, int 
     struct vm_box box = {margin, 0, widest * letter + 2 * pad - dot,
                          (int)count * VM_LINE_DOTS * dot - 2 * dot + 2 * pad};
     box.y = bottom - margin - box.h;
-    draw_panel(hud, which, box, dot, level);
+    vm_hud_draw_panel(hud, which, box, dot, level);
     for (size_t i = 0; i < count; i++)
         draw_line(hud, box.x + pad, box.y + pad + (int)i * VM_LINE_DOTS * dot, dot,
                   faded(hud->ink, level), &lines[i]);
@@ -229,11 +232,13 @@ static void lay_out_help(const struct vm_hud *hud, size_t most, struct help_layo
 /* The largest dots, not above the usual ones, with which the help fits. */
 static int fit_help(const struct vm_hud *hud, struct help_layout *layout)
 {
-    int dot = dot_size(hud->canvas.width, hud->canvas.height);
+    int dot = vm_hud_dot(hud->canvas.width, hud->canvas.height);
     for (;; dot--) {
         int most = (hud->canvas.width - 2 * HELP_PAD * dot) / (VM_LETTER_DOTS * dot);
         lay_out_help(hud, (size_t)(most < 1 ? 1 : smaller(most, HELP_COLUMNS)), layout);
         int height = ((int)layout->rows * VM_LINE_DOTS + 2 * HELP_PAD) * dot;
+        if (dot == 1 && height > hud->canvas.height) /* wider rather than cut off */
+            lay_out_help(hud, (size_t)(most < 1 ? 1 : most), layout);
         if (dot == 1 || (most >= (int)layout->indent + HELP_NARROW && height <= hud->canvas.height))
             return dot;
     }
@@ -247,7 +252,12 @@ static void draw_help(struct vm_hud *hud)
     int w = smaller((int)layout.columns * letter + 2 * pad - dot, hud->canvas.width);
     int h = smaller((int)layout.rows * VM_LINE_DOTS * dot + 2 * pad - 2 * dot, hud->canvas.height);
     struct vm_box box = {(hud->canvas.width - w) / 2, (hud->canvas.height - h) / 2, w, h};
-    draw_panel(hud, VM_PANEL_HELP, box, dot, FADE_LEVELS);
+    int margin = MARGIN_DOTS * dot;
+    if (hud->help_side == VM_HUD_TOP)
+        box.y = smaller(margin, box.y);
+    if (hud->help_side == VM_HUD_BOTTOM)
+        box.y += box.y > margin ? box.y - margin : 0;
+    vm_hud_draw_panel(hud, VM_PANEL_HELP, box, dot, VM_HUD_LEVELS);
     for (size_t i = 0; i < layout.rows; i++) {
         const struct help_row *row = &layout.row[i];
         int x = box.x + pad, y = box.y + pad + (int)i * VM_LINE_DOTS * dot;
@@ -271,7 +281,7 @@ static void redraw(struct vm_hud *hud)
     int bottom = hud->canvas.height;
     vm_hud_draw_marks(hud);
     if (hud->status[0])
-        bottom = draw_text_panel(hud, VM_PANEL_STATUS, hud->status, bottom, FADE_LEVELS);
+        bottom = draw_text_panel(hud, VM_PANEL_STATUS, hud->status, bottom, VM_HUD_LEVELS);
     if (hud->message[0] && hud->message_level > 0)
         draw_text_panel(hud, VM_PANEL_MESSAGE, hud->message, bottom, hud->message_level);
     if (hud->help_shown && hud->help_count > 0)
@@ -281,7 +291,7 @@ static void redraw(struct vm_hud *hud)
 static int message_level(const struct vm_hud *hud, double now)
 {
     double left = (hud->message_end - now) / FADE_S;
-    return hud->message[0] ? (int)ceil(fmin(fmax(left, 0), 1) * FADE_LEVELS) : 0;
+    return hud->message[0] ? (int)ceil(fmin(fmax(left, 0), 1) * VM_HUD_LEVELS) : 0;
 }
 
 const uint8_t *vm_hud_draw(struct vm_hud *hud, int width, int height, double now, bool *changed)

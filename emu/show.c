@@ -205,6 +205,8 @@ static void loop(struct vm_show *show)
         run_frame(show, now);
         vm_show_calm(show, now - before);
         vm_show_note(show);
+        vm_show_scope_watch(show);
+        vm_show_scope(show, now);
         vm_show_status(show, now);
         vm_show_draw(show, now);
         measure_latency(show);
@@ -236,6 +238,7 @@ static bool open_all(struct vm_show *show, struct crt_error *err)
 static void close_all(struct vm_show *show)
 {
     vm_terminal_close(&show->terminal);
+    vm_show_scope_close(show);
     vm_show_close(show->program);
     if (show->hud)
         vm_hud_destroy(show->hud);

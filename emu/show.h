@@ -22,6 +22,7 @@
 #include "emu/hud.h"
 #include "emu/frame.h"
 #include "emu/hand.h"
+#include "emu/lab/probe.h"
 #include "emu/picture.h"
 #include "emu/roms.h"
 #include "emu/saved.h"
@@ -82,6 +83,21 @@ struct vm_shown {
     uint64_t from;                 /* when the show of it began: later than 0 with --load-state */
 };
 
+#define VM_SCOPE_PAST (CRT_PS_PER_S / 4) /* what an oscilloscope is shown again after a step */
+
+/* A photodiode and its oscilloscope (show_scope.c); it stays where it is from program to program. */
+struct vm_scope {
+    bool in_hand; /* the mouse's click places it */
+    bool placed;
+    enum crt_photodiode_kind kind;
+    enum vm_head head;
+    double x_mm, y_mm;
+    struct vm_probe probe;         /* zero: not on a tube */
+    struct vm_probe_report report; /* known: of the last look */
+    bool known;
+    double next; /* host time of the next look */
+};
+
 struct vm_show {
     const struct vm_show_desc *desc;
     struct vm_window *window;
@@ -113,6 +129,10 @@ struct vm_show {
     bool gain_auto;   /* goes down as exposures get short */
     int gain;         /* power of two, when not */
 
+    struct vm_scope scope;
+    bool why_shown; /* a panel that any key closes, about a place */
+    enum vm_head why_head;
+    double why_x_mm, why_y_mm;
     enum vm_where_shown where;
     bool no_flash; /* the mean light of the last second is shown */
     bool warned;   /* of flashes of this program */
@@ -211,6 +231,24 @@ void vm_show_toggle_flash(struct vm_show *show);
 double vm_show_flash_hz(const struct crt_phosphor *phosphor, double refresh_hz, double scale,
                         double shutter_s, double host);
 
+/* show_scope.c: F4, Right Ctrl A; F9 while it is in hand: true, and it is not any more. */
+void vm_show_scope_key(struct vm_show *show);
+void vm_show_scope_area(struct vm_show *show);
+bool vm_show_scope_let_go(struct vm_show *show);
+/* A mouse event that is the photodiode's: true. */
+bool vm_show_scope_event(struct vm_show *show, const struct vm_event *event);
+/* After the machine has run; what is seen of it; before the tubes go. */
+void vm_show_scope_watch(struct vm_show *show);
+void vm_show_scope(struct vm_show *show, double now);
+void vm_show_mark_diode(struct vm_show *show);
+void vm_show_scope_close(struct vm_show *show);
+/* Beside the screenshot `name` (without .png): the plot and the figures. */
+bool vm_show_scope_save(struct vm_show *show, const char *name, struct crt_error *err);
+
+/* show_why.c: a click with Right Ctrl, or what closes its panel: true. */
+bool vm_show_why_event(struct vm_show *show, const struct vm_event *event);
+void vm_show_mark_asked(struct vm_show *show);
+
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
 /* show_hands.c: a mouse's or key's event becomes what a person does; after the last of a frame, flush. */
 void vm_show_hand_event(struct vm_show *show, const struct vm_event *event);
@@ -222,6 +260,8 @@ struct vm_spot {
     double x_mm, y_mm; /* from its middle */
 };
 struct vm_spot vm_show_spot(const struct vm_show *show, double x, double y);
+/* What the hand held for the program it lets go. */
+void vm_show_take_away(struct vm_show *show);
 /* F9; and for a program that has just been opened. */
 void vm_show_next_hand(struct vm_show *show);
 void vm_show_first_hand(struct vm_show *show);
@@ -241,6 +281,8 @@ void vm_show_status(struct vm_show *show, double now);
 /* show_step.c: steps of show->unit, back (−1) and forward (1); the machine stands there, paused, and the
  * light of the tick that ends there is shown. */
 void vm_show_step(struct vm_show *show, int direction);
+/* At rest: what led here once more, for who has just begun to look. */
+void vm_show_look_again(struct vm_show *show);
 void vm_show_next_unit(struct vm_show *show);
 void vm_show_check_unit(struct vm_show *show); /* of another program */
 /* Remembers the run as it goes; what came from outside; that it begins anew. */

@@ -67,6 +67,8 @@ void vm_show_draw(struct vm_show *show, double now)
     bool ring = vm_show_ring(show, &x, &y, &radius);
     vm_hud_ring(show->hud, x, y, ring ? radius : 0);
     vm_show_mark_beam(show);
+    vm_show_mark_diode(show);
+    vm_show_mark_asked(show);
     const uint8_t *overlay = vm_hud_draw(show->hud, width, height, now, &changed);
     /* The text is the vector head's glass's to draw, whatever is seen through. */
     if (changed)

@@ -189,7 +189,7 @@ static void let_go(struct vm_show *show)
             press(show, number[i], false);
 }
 
-static void take_away(struct vm_show *show)
+void vm_show_take_away(struct vm_show *show)
 {
     static const struct vm_spot nowhere = {0};
     let_go(show);
@@ -226,11 +226,13 @@ void vm_show_next_hand(struct vm_show *show)
     const struct inp_setup *setup = &show->program->settings.setup;
     char text[80];
     enum vm_hand hand = show->hand;
+    if (vm_show_scope_let_go(show))
+        return;
     for (int i = 0; i < VM_HANDS; i++) {
         hand = (enum vm_hand)((hand + 1) % VM_HANDS);
         if (!vm_hand_present(hand, setup))
             continue;
-        take_away(show);
+        vm_show_take_away(show);
         take_up(show, hand);
         snprintf(text, sizeof text, "the mouse is a %s - F9", vm_hand_title(hand));
         vm_show_say(show, text);
@@ -275,6 +277,8 @@ void vm_show_turn(struct vm_show *show, enum vm_head head)
 void vm_show_hand_event(struct vm_show *show, const struct vm_event *event)
 {
     show->event_time = event->time;
+    if (vm_show_scope_event(show, event))
+        return;
     if (event->kind == VM_EVENT_TEXT) {
         vm_show_text_event(show, event->u.text.character);
         return;
@@ -296,7 +300,7 @@ void vm_show_hand_event(struct vm_show *show, const struct vm_event *event)
     case VM_EVENT_FOCUS:
         if (!event->u.focus.gained) {
             vm_show_release_keys(show);
-            take_away(show);
+            vm_show_take_away(show);
         }
         break;
     default:

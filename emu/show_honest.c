@@ -44,7 +44,9 @@ static double gathered(double cycles)
 double vm_show_flash_hz(const struct crt_phosphor *phosphor, double refresh_hz, double scale,
                         double shutter_s, double host)
 {
-    for (int n = 1; n <= HARMONICS && refresh_hz > 0; n++) {
+    if (refresh_hz * scale < WARN_LOW)
+        return 0;
+    for (int n = 1; n <= HARMONICS; n++) {
         double hz = n * refresh_hz, seen = hz * scale;
         double beat = fabs(seen - host * floor(seen / host + 0.5));
         double exposure = shutter_s > 0 ? shutter_s : scale / host;

@@ -13,6 +13,7 @@ static const char *const help[] = {
     "kinescope",
     "F1\tthis help",
     "F2\tvector head, raster head, both",
+    "F4\tphotodiode and oscilloscope: a click places it; F4 puts it away",
     "F5\tpause, go on",
     "F6\tone refresh, then pause",
     "F7 F8\tslower, faster (Shift: by ten), down to a millionth: single strokes of the beam",
@@ -20,6 +21,8 @@ static const char *const help[] = {
     "F11\tfull screen",
     "F12\tscreenshot",
     "Right Ctrl with",
+    "click\twhy: what put the light there, with its share, word and line of the source",
+    "A\twhat the photodiode sees: a point, a disc, the whole screen",
     "B C F\tchoose brightness, contrast or focus",
     "E\tchoose the shutter: auto, 1 us to 1 s",
     "G\tgain that follows the shutter, or as bright as it is",
@@ -161,7 +164,7 @@ static void screenshot(struct vm_show *show)
     do
         snprintf(name, sizeof name, "kinescope-%03d.png", ++show->shots);
     while (show->shots < 999 && access(name, F_OK) == 0);
-    bool ok = vm_show_picture(show, &image, &err);
+    bool ok = vm_show_scope_save(show, name, &err) && vm_show_picture(show, &image, &err);
     if (ok) {
         ok = vm_picture_write(name, &image, show->program->input.name, &show->program->settings,
                               show->view_drawn, vm_show_frame(show), &err);
@@ -184,6 +187,9 @@ static void tour(struct vm_show *show, int direction)
 static void chord(struct vm_show *show, enum vm_key key)
 {
     switch ((int)key) {
+    case 'A':
+        vm_show_scope_area(show);
+        break;
     case 'B':
     case 'C':
     case 'F':
@@ -250,6 +256,9 @@ static void function_key(struct vm_show *show, int f, unsigned modifiers)
     case 2:
         vm_show_next_view(show);
         break;
+    case 4:
+        vm_show_scope_key(show);
+        break;
     case 5:
         toggle_pause(show);
         break;
@@ -295,6 +304,8 @@ static bool is_guests(const struct vm_show *show, const struct vm_event *event)
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event)
 {
+    if (vm_show_why_event(show, event))
+        return;
     switch (event->kind) {
     case VM_EVENT_CLOSE:
         show->quit = true;

@@ -151,6 +151,7 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
     if (!program)
         return false;
     end_record(show);
+    vm_show_scope_close(show);
     vm_show_close(show->program);
     show->program = program;
     vm_show_first_hand(show);

@@ -73,22 +73,37 @@ static bool forward(struct vm_show *show, struct crt_error *err)
     return came || crt_fail(err, "no %s within a second of simulated time", unit_names[show->unit]);
 }
 
+/* The oscilloscope sees the refreshes. */
+static void run_watched(struct vm_show *show, uint64_t until)
+{
+    struct vm_machine *m = show->program->rig.machine;
+    if (!show->scope.placed) {
+        vm_machine_run(m, until > m->now ? until : m->now);
+        return;
+    }
+    while (m->now < until && vm_machine_run_refresh(m, until))
+        vm_show_scope_watch(show);
+    if (m->now < until)
+        vm_machine_run(m, until);
+}
+
 /* Goes to `place`, which is past or present, once more, with the light of the shutter's time, or
  * of the tick, that ends there on film. */
 static bool expose(struct vm_show *show, const struct place *place, struct crt_error *err)
 {
     struct vm_shown *p = show->program;
     struct vm_machine *m = p->rig.machine;
-    uint64_t exposure = vm_show_exposure(show);
+    uint64_t exposure = vm_show_exposure(show), back = exposure + LONGEST_WORD;
     uint64_t from = place->now > exposure ? place->now - exposure : 0;
-    /* From so far back that what was under way is known. */
-    if (!vm_history_recall(p->history, from > LONGEST_WORD ? from - LONGEST_WORD : 0, err))
+    /* From so far back that what was under way is known, and what an oscilloscope shows. */
+    if (show->scope.placed && back < VM_SCOPE_PAST)
+        back = VM_SCOPE_PAST;
+    if (!vm_history_recall(p->history, place->now > back ? place->now - back : 0, err))
         return false;
-    if (from > m->now)
-        vm_machine_run(m, from);
+    run_watched(show, from);
     if (place->now > m->now) {
         vm_frame_open(&p->frame, &p->rig, m->now, place->now);
-        vm_machine_run(m, place->now);
+        run_watched(show, place->now);
         vm_show_develop(show);
         show->film_ready = true;
     }
@@ -143,6 +158,15 @@ static void say_place(struct vm_show *show)
         snprintf(text, sizeof text, "refresh %llu, %s",
                  (unsigned long long)m->refreshes.last.number, time);
     vm_show_say(show, text);
+}
+
+void vm_show_look_again(struct vm_show *show)
+{
+    struct vm_shown *p = show->program;
+    const struct place place = place_of(p);
+    struct crt_error err;
+    if (show->paused && p->history && !expose(show, &place, &err))
+        vm_show_say(show, err.text);
 }
 
 void vm_show_step(struct vm_show *show, int direction)

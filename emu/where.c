@@ -139,7 +139,7 @@ void vm_where_text(const struct vm_machine *m, const struct vm_where *w, char *t
 void vm_where_time(uint64_t t, uint64_t step, char *text, size_t size)
 {
     int digits = 2;
-    for (uint64_t unit = CRT_PS_PER_S / 1000; digits < 12 && step < unit; unit /= 10)
+    for (uint64_t unit = CRT_PS_PER_S / 100; digits < 12 && step < unit; unit /= 10)
         digits++;
     uint64_t unit = CRT_PS_PER_S;
     for (int i = 0; i < digits; i++)

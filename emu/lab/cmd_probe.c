@@ -16,12 +16,16 @@ static const struct vm_option rows[] = {
      "where: head units, of the vector head from the bottom left, of the raster head dots from the "
      "top left",
      0, 0},
+    {"along", 0, VM_OPT_STRING, ROW(along), "X,Y",
+     "the mean luminance along the line from --at to there, against mm: widths, crests and dips", 0,
+     0},
     {"area", 0, VM_OPT_REAL, ROW(area), "MM", "the mean over a disc of that diameter, not a point",
      0.001, 1000},
     {"screen", 0, VM_OPT_FLAG, ROW(screen), "", "the mean over the whole screen instead", 0, 0},
     {"from", 0, VM_OPT_TIME, ROW(from), "T",
-     "begin then; default: once the picture stands and the phosphor has settled to a thousandth", 0,
-     0},
+     "begin then; default: once the picture stands and the phosphor has settled to 1e-4, or for 10 "
+     "s",
+     0, 0},
     {"to", 0, VM_OPT_TIME, ROW(to), "T",
      "end before then; default: six refreshes or a tenth of a second later, whichever is longer", 0,
      0},
@@ -34,8 +38,8 @@ static const struct vm_option rows[] = {
      "lines between them are within a thousandth of the curve; - is standard output, without JSON "
      "then",
      0, 0},
-    {"rate", 0, VM_OPT_RATE, ROW(rate), "HZ", "samples a second instead, evenly from --from on", 0,
-     0},
+    {"rate", 0, VM_OPT_REAL, ROW(rate), "HZ", "samples a second instead, evenly from --from on",
+     0.1, 1e12},
     {"out", 'o', VM_OPT_STRING, ROW(out), "PLOT.png", "the curve as a plot", 0, 0},
     {"size", 0, VM_OPT_SIZE, ROW(size), "WxH", "of the plot; default 1280x720", 0, 0},
     {"projector", 0, VM_OPT_FLAG, ROW(projector), "", "large letters and thick lines in the plot",
@@ -43,7 +47,7 @@ static const struct vm_option rows[] = {
     {"log", 0, VM_OPT_FLAG, ROW(log), "", "luminance in the plot by decades", 0, 0},
     {"signal", 0, VM_OPT_STRING, ROW(signal), "x,y,z",
      "deflection (x, y, mm) and grid (z, drive 0..1) in CSV and plot instead of light; no place is "
-     "needed",
+     "needed; by default of one refresh of the vector head, of four lines of the raster head",
      0, 0},
     {"field", 0, VM_OPT_CHOICE, ROW(field), "10|30|50|70",
      "how wide the field is that the viewer looks at, degrees; default 30", 0, 0},
@@ -64,19 +68,32 @@ static int fail(int status, const struct crt_error *err)
 
 /* ---- what is asked for -------------------------------------------------------------------------- */
 
-static bool read_place(struct vm_probe_job *job, struct crt_error *err)
+static bool read_place(const char *option, const char *text, double *x, double *y,
+                       struct crt_error *err)
 {
-    const char *text = job->o.place, *comma = strchr(text, ',');
+    const char *comma = strchr(text, ',');
     char first[64];
     if (comma && (size_t)(comma - text) < sizeof first) {
         memcpy(first, text, (size_t)(comma - text));
         first[comma - text] = '\0';
         struct crt_error why;
-        if (vm_parse_real(first, -1e5, 1e5, &job->place.x, &why) &&
-            vm_parse_real(comma + 1, -1e5, 1e5, &job->place.y, &why))
+        if (vm_parse_real(first, -1e5, 1e5, x, &why) &&
+            vm_parse_real(comma + 1, -1e5, 1e5, y, &why))
             return true;
     }
-    return crt_fail(err, "--at: '%.60s' is not X,Y in head units, such as 512,512", text);
+    return crt_fail(err, "%s: '%.60s' is not X,Y in head units, such as 512,512", option, text);
+}
+
+static bool read_along(struct vm_probe_job *job, struct crt_error *err)
+{
+    const struct vm_probe_options *o = &job->o;
+    if (!o->place || o->screen || o->area > 0)
+        return crt_fail(err, "--along is from one point to another; give --at X,Y, and leave out "
+                             "--screen and --area");
+    if (o->field || o->pupil > 0 || o->luminance > 0 || o->rate > 0)
+        return crt_fail(err, "--along is of mean light; leave out --field, --pupil, --luminance "
+                             "and --rate");
+    return read_place("--along", o->along, &job->along[0], &job->along[1], err);
 }
 
 static bool read_signals(struct vm_probe_job *job, struct crt_error *err)
@@ -98,9 +115,9 @@ static bool check_signals(struct vm_probe_job *job, struct crt_error *err)
     const struct vm_probe_options *o = &job->o;
     if (!read_signals(job, err))
         return false;
-    if (o->place || o->screen || o->area > 0)
-        return crt_fail(
-            err, "--signal is the beam's, wherever it is; leave out --at, --area and --screen");
+    if (o->place || o->along || o->screen || o->area > 0)
+        return crt_fail(err, "--signal is the beam's, wherever it is; leave out --at, --along, "
+                             "--area and --screen");
     if (o->log || o->field || o->pupil > 0 || o->luminance > 0)
         return crt_fail(
             err, "--signal has no luminance; leave out --log, --field, --pupil and --luminance");
@@ -118,7 +135,8 @@ static bool check_sensor(struct vm_probe_job *job, struct crt_error *err)
         return crt_fail(err, "where is the photodiode? give --at X,Y or --screen");
     job->place.kind = o->screen ? CRT_DIODE_SCREEN : o->area > 0 ? CRT_DIODE_DISC : CRT_DIODE_POINT;
     job->place.area_mm = o->area;
-    return o->screen || read_place(job, err);
+    return (!o->along || read_along(job, err)) &&
+           (o->screen || read_place("--at", o->place, &job->place.x, &job->place.y, err));
 }
 
 static bool check_options(struct vm_probe_job *job, struct crt_error *err)
@@ -126,7 +144,7 @@ static bool check_options(struct vm_probe_job *job, struct crt_error *err)
     const struct vm_probe_options *o = &job->o;
     if (!(o->signal ? check_signals(job, err) : check_sensor(job, err)))
         return false;
-    if (o->rate.num && !o->csv)
+    if (o->rate > 0 && !o->csv)
         return crt_fail(err, "--rate is for --csv FILE");
     if (!o->out && (o->size.width || o->projector || o->log))
         return crt_fail(err, "--size, --projector and --log are for -o PLOT.png");
@@ -199,9 +217,7 @@ static bool write_plot(struct vm_probe_job *job, struct vm_probe *probe,
 static bool write_csv(struct vm_probe_job *job, struct vm_probe *probe, struct crt_error *err)
 {
     struct vm_probe_wave wave;
-    struct crt_rate rate = job->o.rate;
-    double hz = rate.num ? (double)rate.num / (double)rate.den : 0;
-    if (!vm_probe_wave(probe, job->from, job->to, hz, &wave, err))
+    if (!vm_probe_wave(probe, job->from, job->to, job->o.rate, &wave, err))
         return false;
     bool ok = vm_probe_write_csv(job->o.csv, probe, &wave, err);
     vm_probe_wave_free(&wave);
@@ -266,7 +282,7 @@ static bool see_light(struct vm_probe_job *job, struct crt_error *err)
     if (!vm_rig_open(&rig, &job->settings, &job->input, DF_TIMING_VALUE, &tubes, err))
         return false;
     bool ok = vm_saved_load(&job->o.saved, &rig, &job->settings, &job->input, err) &&
-              measure(job, &rig, err) &&
+              (job->o.along ? vm_probe_measure_along : measure)(job, &rig, err) &&
               vm_saved_save(&job->o.saved, &rig, &job->settings, &job->input, err);
     vm_rig_close(&rig);
     return ok;
@@ -344,6 +360,7 @@ const struct vm_command vm_command_probe = {
     "reported with exit status 1.",
     "  kinescope probe roms/rose.df --at 512,690\n"
     "  kinescope probe roms/rose.df --at 512,690 --phosphor P39 --refresh 30 -o p39.png\n"
+    "  kinescope probe roms/testcard.df --at 500,300 --along 524,300 -o profile.png\n"
     "  kinescope probe roms/rose.df --screen --csv rose.csv --rate 10000\n"
     "  kinescope probe roms/pattern.elf --at 512,384 --field 70 --luminance 100\n"
     "  kinescope probe roms/interlace.elf --tube TV12M --at 300,200 --area 5 -o interlace.png\n"

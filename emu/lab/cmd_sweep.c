@@ -9,7 +9,7 @@
 #include "emu/lab/sweep_out.h"
 
 struct options {
-    const char *phosphors, *rates, *luminances, *field;
+    const char *phosphors, *rates, *luminances, *field, *sort;
     double pupil;
     struct vm_list tubes;
     struct vm_sweep_out out;
@@ -28,6 +28,8 @@ static const struct vm_option rows[] = {
      "degrees that the lit field takes up; default all, which says who sees flicker; one of them "
      "also tells by how much",
      0, 0},
+    {"sort", 0, VM_OPT_CHOICE, ROW(sort), "name|cff",
+     "phosphors as the list has them (default), or by CFF: those that flicker least first", 0, 0},
     {"pupil", 0, VM_OPT_REAL, ROW(pupil), "MM", "diameter of the pupil; default 3", 1, 9},
     {"tubes", 0, VM_OPT_LIST, ROW(tubes), "FILE.ini", "read more phosphors", 0, 0},
     VM_SWEEP_OUT_ROWS(ROW(out)),
@@ -44,6 +46,8 @@ static int fill(struct vm_sweep *s, const struct options *o, struct crt_catalogu
     if (!vm_sweep_take_phosphors(s, c, o->phosphors, err) ||
         !vm_sweep_take_rates(s, o->rates, err) || !vm_sweep_take_luminances(s, o->luminances, err))
         return VM_EXIT_USAGE;
+    if (o->sort && strcmp(o->sort, "cff") == 0)
+        vm_sweep_sort(s);
     return VM_EXIT_OK;
 }
 
@@ -108,7 +112,7 @@ const struct vm_command vm_command_sweep = {
     "  kinescope sweep\n"
     "  kinescope sweep --field 30 --phosphors P1,P31,P39\n"
     "  kinescope sweep --phosphors P39 --luminances 1,3,10,30,100,300 --rates 30,40,50,60\n"
-    "  kinescope sweep --field 30 -o flicker.png --csv flicker.csv\n"
+    "  kinescope sweep --field 30 --sort cff -o flicker.png --csv flicker.csv\n"
     "  kinescope sweep length --tube VR17",
     run,
 };

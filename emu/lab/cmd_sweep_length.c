@@ -145,6 +145,7 @@ static int write_list(const struct options *o, const struct vm_length *l, struct
     long most = vm_list_most(&s, bytes);
     long items = o->items ? o->items : (o->sync ? longest.locked : longest.free)[DF_TIMING_VALUE];
     struct vm_out file;
+    char tube[48];
     if (items == 0) {
         crt_fail(err, "--write: even the shortest list flickers; --items N writes one that does");
         return VM_EXIT_USAGE;
@@ -155,9 +156,9 @@ static int write_list(const struct options *o, const struct vm_length *l, struct
     }
     if (!vm_out_open(&file, o->write, err))
         return VM_EXIT_TROUBLE;
-    fprintf(file.file, "        .tube   \"%s/%s\"\n", l->settings->monitor[VM_VECTOR].row.name,
-            l->settings->monitor[VM_VECTOR].phosphor.name);
-    vm_list_write(file.file, &s, items);
+    snprintf(tube, sizeof tube, "%s/%s", l->settings->monitor[VM_VECTOR].row.name,
+             l->settings->monitor[VM_VECTOR].phosphor.name);
+    vm_list_write(file.file, &s, items, tube);
     return vm_out_close(&file, true, err) ? VM_EXIT_OK : VM_EXIT_TROUBLE;
 }
 

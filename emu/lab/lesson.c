@@ -6,11 +6,13 @@
 #include "emu/input_file.h"
 #include "emu/lab/lesson_parts.h"
 
-const char vm_lesson_warning[] =
-    "Photosensitivity warning: shown live, this flashes between 3 and 30 times a second. About one "
-    "person in 4000 has photosensitive epilepsy (estimate) and may have a seizure; warn the class "
-    "before, let people leave or look away, keep the room lit and the picture small. --no-flash "
-    "shows plots instead.";
+const char vm_lesson_warning[] = "Photosensitivity warning: parts of this lesson, shown live, "
+                                 "flash between 3 and 30 times a second, "
+                                 "which may set off seizures in people with photosensitive "
+                                 "epilepsy. Say so before, let people look "
+                                 "away or leave, keep the room lit and the picture small; or give "
+                                 "--no-flash, which leaves those "
+                                 "parts out.";
 
 void vm_lesson_free(struct vm_lesson *lesson)
 {

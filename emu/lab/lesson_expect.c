@@ -135,15 +135,43 @@ bool vm_expect_read(struct vm_expect *e, const char *text, struct crt_error *err
 
 /* ---- what came out --------------------------------------------------------------------------- */
 
-/* In the unit of the limit, so that both can be compared by eye. */
-static void say_number(double v, const char *like, int digits, char *text, size_t size)
+static const char *unit_text(const char *suffix)
 {
+    return strcmp(suffix, "us") == 0 ? "µs" : suffix;
+}
+
+/* As written, with a space before the unit. */
+static void say_limit(const char *written, char *text, size_t size)
+{
+    double value, factor;
+    const char *suffix = "";
+    int n = (int)strlen(written);
+    if (read_number(written, &value, &factor, &suffix))
+        n = (int)(suffix - written);
+    snprintf(text, size, "%.*s%s%s", n, written, *suffix ? " " : "", unit_text(suffix));
+}
+
+static bool ends_with(const char *text, const char *ending)
+{
+    size_t n = strlen(text), m = strlen(ending);
+    return n > m && strcmp(text + n - m, ending) == 0;
+}
+
+/* In the unit of the limit, so that both can be compared by eye; else in that which its name ends with. */
+static void say_number(double v, const char *like, const char *key, int digits, char *text,
+                       size_t size)
+{
+    char format[8];
     double value, factor = 1;
     const char *suffix = "";
-    if (!read_number(like, &value, &factor, &suffix))
-        suffix = "";
-    snprintf(text, size, "%.*g%s%s", digits, v / factor, *suffix && *suffix != '%' ? " " : "",
-             suffix);
+    struct crt_error err;
+    if (!read_number(like, &value, &factor, &suffix) && ends_with(key, "_s")) {
+        struct vm_figure figure = {NULL, VM_FIGURE_NUMBER, v, NULL};
+        snprintf(format, sizeof format, "%ds", digits);
+        vm_figure_format(&figure, format, text, size, &err);
+        return;
+    }
+    snprintf(text, size, "%.*g%s%s", digits, v / factor, *suffix ? " " : "", unit_text(suffix));
 }
 
 static bool within(const struct vm_expect *e, double v, double limit)
@@ -177,19 +205,21 @@ static const char *sign_words(enum vm_expect_kind kind)
 static bool compare_numbers(const struct vm_expect *e, double v, double limit, const char *like,
                             struct vm_expect_outcome *o)
 {
-    char other[64] = "";
+    char other[64] = "", low[VM_QUOTE_KEY + 8], high[VM_QUOTE_KEY + 8];
     o->holds = within(e, v, limit);
     /* Rounded it might look as if it held. */
-    say_number(v, like, o->holds ? 4 : 7, o->measured, sizeof o->measured);
+    say_number(v, like, e->key, o->holds ? 4 : 7, o->measured, sizeof o->measured);
+    say_limit(e->low, low, sizeof low);
+    say_limit(e->high, high, sizeof high);
     if (e->other)
-        say_number(limit, "", 4, other, sizeof other);
+        say_number(limit, "", e->low, 4, other, sizeof other);
     if (e->kind == VM_EXPECT_RANGE)
-        snprintf(o->expected, sizeof o->expected, "%s to %s", e->low, e->high);
+        snprintf(o->expected, sizeof o->expected, "%s to %s", low, high);
     else if (e->other)
         snprintf(o->expected, sizeof o->expected, "%s %s, which is %s", sign_words(e->kind), e->low,
                  other);
     else
-        snprintf(o->expected, sizeof o->expected, "%s %s", sign_words(e->kind), e->low);
+        snprintf(o->expected, sizeof o->expected, "%s %s", sign_words(e->kind), low);
     return true;
 }
 

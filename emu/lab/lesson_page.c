@@ -13,7 +13,8 @@ struct page {
     const struct vm_lesson *lesson;
     const struct vm_lesson_results *results;
     const struct vm_lesson_look *look;
-    bool in_list;
+    int level;        /* of the lesson's heading */
+    const char *open; /* the group of lines that stands open, as its end tag; NULL: none */
     struct crt_error *err;
 };
 
@@ -114,18 +115,25 @@ static bool put_live(const struct page *p, int i)
     return ok;
 }
 
-/* Opens and closes the list that items stand in. */
-static void list(struct page *p, bool in)
+/* Items stand in a list, pictures that follow one another side by side; plots are too wide for that. */
+static void group(struct page *p, enum vm_lesson_word word)
 {
-    if (in != p->in_list)
-        fputs(in ? "<ul>\n" : "</ul>\n", p->out);
-    p->in_list = in;
+    static const char list[] = "</ul>\n", row[] = "</div>\n";
+    const char *wanted = word == VM_LESSON_ITEM ? list : word == VM_LESSON_PICTURE ? row : NULL;
+    if (word == VM_LESSON_CAPTION || word == VM_LESSON_EXPECT || word == VM_LESSON_SAYS ||
+        word == VM_LESSON_NOTES || word == VM_LESSON_FLASHES || wanted == p->open)
+        return; /* they are shown elsewhere */
+    if (p->open)
+        fputs(p->open, p->out);
+    if (wanted)
+        fputs(wanted == list ? "<ul>\n" : "<div class=\"row\">\n", p->out);
+    p->open = wanted;
 }
 
 static bool put_line(struct page *p, int i)
 {
     const struct vm_lesson_line *line = &p->lesson->line[i];
-    list(p, line->word == VM_LESSON_ITEM);
+    group(p, line->word);
     switch (line->word) {
     case VM_LESSON_TEXT:
         return put_filled(p, i, "<p>", "</p>\n");
@@ -218,7 +226,7 @@ static bool put_lines(struct page *p, int first, int end)
     bool ok = true;
     for (int i = first; ok && i < end; i++)
         ok = put_line(p, i);
-    list(p, false);
+    group(p, VM_LESSON_WORDS);
     return ok && put_checks(p, first, end) && put_notes(p, first, end);
 }
 
@@ -232,11 +240,11 @@ static void put_warning(const struct page *p)
 static bool put_step(struct page *p, int s)
 {
     const struct vm_lesson_step *step = &p->lesson->step[s];
-    fprintf(p->out, "<section class=\"slide\" id=\"%s.%s\">\n<h3>%d. ", p->lesson->name, step->name,
-            s + 1);
+    fprintf(p->out, "<section class=\"slide\" id=\"%s.%s\">\n<h%d>%d. ", p->lesson->name,
+            step->name, p->level + 1, s + 1);
     vm_html_prose(p->out, step->heading);
-    fputs("</h3>\n", p->out);
-    if (step->flashes >= 0) {
+    fprintf(p->out, "</h%d>\n", p->level + 1);
+    if (step->flashes >= 0 && !p->look->no_flash) {
         const char *how = p->lesson->line[step->flashes].text;
         fprintf(p->out, "<p class=\"warn\" role=\"note\">Flashes when shown live%s",
                 *how ? ": " : "");
@@ -248,15 +256,15 @@ static bool put_step(struct page *p, int s)
     return ok;
 }
 
-static bool put_lesson(struct page *p, int level)
+static bool put_lesson(struct page *p)
 {
     const struct vm_lesson *l = p->lesson;
-    fprintf(p->out, "<article id=\"%s\">\n<div class=\"slide\">\n<h%d>", l->name, level);
+    fprintf(p->out, "<article id=\"%s\">\n<div class=\"slide\">\n<h%d>", l->name, p->level);
     vm_html_prose(p->out, l->title);
-    fprintf(p->out, "</h%d>\n<p class=\"lead\">", level);
+    fprintf(p->out, "</h%d>\n<p class=\"lead\">", p->level);
     vm_html_prose(p->out, l->summary);
     fputs("</p>\n", p->out);
-    if (vm_lesson_flashes(l))
+    if (vm_lesson_flashes(l) && !p->look->no_flash)
         put_warning(p);
     bool ok = put_lines(p, 0, l->head);
     fputs("</div>\n", p->out);
@@ -309,8 +317,8 @@ bool vm_lesson_page(FILE *out, const struct vm_lesson_results *results, int coun
         put_beginning(out, results, count);
     fputs("<main>\n", out);
     for (int i = 0; ok && i < count; i++) {
-        struct page p = {out, results[i].lesson, &results[i], look, false, err};
-        ok = put_lesson(&p, count > 1 ? 2 : 1);
+        struct page p = {out, results[i].lesson, &results[i], look, count > 1 ? 2 : 1, NULL, err};
+        ok = put_lesson(&p);
     }
     fprintf(
         out,

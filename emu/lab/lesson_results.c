@@ -21,6 +21,7 @@ void vm_lesson_results_free(struct vm_lesson_results *r)
 {
     for (int i = 0; r->result && i < r->lesson->lines; i++) {
         free(r->result[i].said);
+        free(r->result[i].trouble);
         vm_figures_free(&r->result[i].figures);
     }
     free(r->folder);
@@ -32,7 +33,6 @@ bool vm_lesson_results_take(struct vm_lesson_results *r, int i, char *said, stru
 {
     struct vm_lesson_result *result = &r->result[i];
     const struct vm_lesson_line *line = &r->lesson->line[i];
-    struct crt_error why;
     result->said = said;
     result->has_figures = said[strspn(said, " \t\r\n")] == '{';
     if (!result->has_figures && line->word == VM_LESSON_FIGURES)
@@ -41,8 +41,7 @@ bool vm_lesson_results_take(struct vm_lesson_results *r, int i, char *said, stru
             "the command prints no JSON, so that there are no figures; --json may "
             "be missing",
             err);
-    return !result->has_figures || vm_figures_read(&result->figures, said, &why) ||
-           vm_lesson_fail(r->lesson, line->number, why.text, err);
+    return !result->has_figures || vm_figures_read(&result->figures, said, err);
 }
 
 /* ---- looking figures up ---------------------------------------------------------------------- */

@@ -13,7 +13,8 @@
 #include "emu/lab/lesson_words.h"
 
 struct vm_lesson_result {
-    char *said; /* on standard output; NULL: not run */
+    char *said;    /* on standard output; NULL: not run */
+    char *trouble; /* a sentence, when the command or what it left was wrong; else NULL */
     bool has_figures;
     struct vm_figures figures;
 };
@@ -28,7 +29,8 @@ bool vm_lesson_results_init(struct vm_lesson_results *r, const struct vm_lesson 
                             const char *folder, struct crt_error *err);
 void vm_lesson_results_free(struct vm_lesson_results *r);
 
-/* Takes what the command of line `i` said, which must be malloced; the figures in it, when it is JSON. */
+/* Takes what the command of line `i` said, which must be malloced; the figures in it, when it is JSON. False: a
+ * sentence without the place. */
 bool vm_lesson_results_take(struct vm_lesson_results *r, int i, char *said, struct crt_error *err);
 
 /* The value of line `i` with its figures filled in, malloced; `r` NULL: with their names. */

@@ -49,12 +49,25 @@ static void show_progress(const struct runner *r, const struct vm_lesson *l, int
 
 static void fail(struct runner *r, int lesson, int line, const char *why)
 {
-    const struct vm_lesson *l = r->results[lesson].lesson;
-    struct crt_error err;
-    vm_lesson_fail(l, l->line[line].number, why, &err);
-    clear_progress(r);
-    r->how->tell(&err);
+    char *trouble = strdup(why);
+    r->results[lesson].result[line].trouble = trouble;
     r->well = false;
+}
+
+/* In the order of the lessons, whichever was done first. */
+static void tell_troubles(const struct runner *r)
+{
+    struct crt_error err;
+    for (int n = 0; n < r->count; n++) {
+        const struct vm_lesson *l = r->results[n].lesson;
+        for (int i = 0; i < l->lines; i++) {
+            const char *trouble = r->results[n].result[i].trouble;
+            if (!trouble)
+                continue;
+            vm_lesson_fail(l, l->line[i].number, trouble, &err);
+            r->how->tell(&err);
+        }
+    }
 }
 
 /* The folder of the lesson's own file, absolute. */
@@ -152,14 +165,10 @@ static void finish(struct runner *r, struct job *job, int status)
     bool printed = line->word == VM_LESSON_TABLE && !line->named;
     bool ok = !printed || store(results, line, said, &why);
     ok = ok && (line->word == VM_LESSON_FIGURES || check_made(results, job->line, &why));
-    if (!ok) {
-        fail(r, job->lesson, job->line, why.text);
+    if (!ok)
         free(said);
-    } else if (!vm_lesson_results_take(results, job->line, said, &why)) {
-        clear_progress(r);
-        r->how->tell(&why);
-        r->well = false;
-    }
+    if (!ok || !vm_lesson_results_take(results, job->line, said, &why))
+        fail(r, job->lesson, job->line, why.text);
 }
 
 /* ---- all of them ----------------------------------------------------------------------------- */
@@ -199,6 +208,7 @@ bool vm_lesson_run(const struct vm_lesson_run *how, struct vm_lesson_results *re
     while (r.running)
         wait_for_one(&r);
     clear_progress(&r);
+    tell_troubles(&r);
     return r.well;
 }
 

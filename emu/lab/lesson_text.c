@@ -148,7 +148,7 @@ static bool print_step(const struct printer *p, int s)
     snprintf(heading, sizeof heading, "%d. %.240s", s + 1, step->heading);
     fputc('\n', p->out);
     underline(p->out, heading, '-');
-    if (step->flashes >= 0) {
+    if (step->flashes >= 0 && !p->look->no_flash) {
         const char *how = p->lesson->line[step->flashes].text;
         fprintf(p->out, "\nFlashes when shown live%s%s.\n", *how ? ": " : "", how);
     }

@@ -6,11 +6,11 @@
 #include "display_file/encode.h"
 #include "display_file/vecgen.h"
 
-/* Characters: cells of 14 units, lines of 24 (display_file/chargen.h), as many as leave a margin. */
+/* What is left free around; cells of characters are 14 units wide, lines 24 high (display_file/chargen.h). */
 #define MARGIN    40
 #define CELL      14
 #define LINE      24
-#define RISE      2 /* of the zigzag */
+#define RISE      6 /* of the zigzag: lines that do not touch */
 #define JUMP      2 /* words */
 #define NEW_PLACE 4 /* words: point, at x y, char */
 
@@ -30,20 +30,29 @@ struct vm_list_shape vm_list_shape(const struct crt_tube_row *row, enum vm_list_
 
 /* ---- where things are -------------------------------------------------------------------------- */
 
-/* Up and down again between the margins. */
-static int zigzag(int low, int high, int rise, long n)
+static int margin(int units)
 {
-    long steps = high > low + rise ? (high - low) / rise : 1;
-    long k = n % (2 * steps);
-    return low + rise * (int)(k <= steps ? k : 2 * steps - k);
+    return units / 4 < MARGIN ? units / 4 : MARGIN;
 }
 
+/* Vectors in a column, an odd number, so that it ends where the next one begins. */
+static long column_length(const struct vm_list_shape *s, int rise)
+{
+    long n = (s->units_y - 2 * margin(s->units_y)) / rise;
+    return n < 1 ? 1 : n % 2 ? n : n - 1;
+}
+
+/* Up the first column, down the second …; at the end of the last the same way back. */
 static struct place zigzag_at(const struct vm_list_shape *s, long n)
 {
-    int left = (s->units_x - 1 - s->units) / 2;
     int rise = s->units < RISE ? s->units : RISE;
-    return (struct place){n % 2 ? left + s->units : left,
-                          zigzag(MARGIN, s->units_y - MARGIN, rise, n)};
+    long length = column_length(s, rise), columns = (s->units_x - 1) / s->units;
+    long all = columns * length, k = n % (2 * all);
+    k = k <= all ? k : 2 * all - k;
+    long column = k / length, step = k % length;
+    int left = (s->units_x - 1 - (int)columns * s->units) / 2, low = margin(s->units_y);
+    int up = rise * (int)(column % 2 ? length - step : step);
+    return (struct place){left + s->units * (int)(column + step % 2), low + up};
 }
 
 static long line_length(const struct vm_list_shape *s)
@@ -238,11 +247,14 @@ static void write_zigzag(FILE *to, const struct vm_list_shape *s, long n)
     }
 }
 
-void vm_list_write(FILE *to, const struct vm_list_shape *s, long n)
+void vm_list_write(FILE *to, const struct vm_list_shape *s, long n, const char *tube)
 {
     char what[64];
     vm_list_describe(s, what, sizeof what);
-    fprintf(to, "; %ld %s\n        .start  again\nagain:\n", n, what);
+    fprintf(to, "; %ld %s\n", n, what);
+    if (tube)
+        fprintf(to, "        .tube   \"%s\"\n", tube);
+    fputs("        .start  again\nagain:\n", to);
     if (s->sync)
         fputs("        sync\n", to);
     if (s->kind == VM_LIST_CHARACTERS)

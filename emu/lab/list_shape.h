@@ -5,8 +5,8 @@
  *      [sync] point at · char   text … point at · char …    characters, in lines
  *
  * Models:     the display processor's arithmetic (display_file/dpu.h): words are fetched one after the
- *             other, the generators work between fetches. Vectors and points lie on a zigzag of constant
- *             width, so that each moves the beam equally far.
+ *             other, the generators work between fetches. Vectors and points lie on a zigzag, in
+ *             columns, in which each moves the beam equally far and none crosses another.
  * Time:       picoseconds.
  * Units:      head units.
  * Ownership:  plain values; the stream stays the caller's.
@@ -52,8 +52,8 @@ long vm_list_most(const struct vm_list_shape *s, uint32_t bytes);
 long vm_list_longest(const struct vm_list_shape *s, const struct df_timing *t, uint64_t ps,
                      uint32_t bytes);
 
-/* Source of n items (display_file/LANGUAGE.md). */
-void vm_list_write(FILE *to, const struct vm_list_shape *s, long n);
+/* Source of n items (display_file/LANGUAGE.md) for a tube, TUBE/PHOSPHOR or NULL. */
+void vm_list_write(FILE *to, const struct vm_list_shape *s, long n, const char *tube);
 
 /* "vectors of 100 units", "points 100 units apart", "characters"; "vectors". */
 void vm_list_describe(const struct vm_list_shape *s, char *text, size_t size);

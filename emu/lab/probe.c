@@ -7,11 +7,12 @@
 #include "emu/view.h"
 
 /* Of the field a person looks at and the pupil, by default. */
-#define FIELD_30  1
-#define PUPIL_MM  3.0
-#define STEADY    0.005 /* halves of a steady curve differ by less, as a part of their mean */
-#define SAME_RATE 0.001 /* rates that differ by less, as a part, are one */
-#define EYE_LEAST 0.05  /* Hz by which another harmonic must be worse to be the one named */
+#define FIELD_30   1
+#define PUPIL_MM   3.0
+#define STEADY     0.005 /* halves of a steady curve differ by less, as a part of their mean */
+#define SAME_RATE  0.001 /* rates that differ by less, as a part, are one */
+#define DARK_CD_M2 1e-6  /* about where people see anything at all (estimate) */
+#define EYE_LEAST  0.05  /* Hz by which another harmonic must be worse to be the one named */
 
 /* ---- where -------------------------------------------------------------------------------------- */
 
@@ -232,7 +233,7 @@ bool vm_probe_report(struct vm_probe *probe, uint64_t t0, uint64_t t1,
     r->repeats_hz = repeats > 0 ? repeats : NAN;
     cut_to_periods(r, hz);
     crt_waveform_measure(probe->diode, r->t0, r->t1, hz > 0 ? hz : 1, &r->figures);
-    r->dark = !(r->figures.mean_cd_m2 > 0);
+    r->dark = !(r->figures.mean_cd_m2 > DARK_CD_M2);
     r->settled = !r->dark && is_settled(probe, r);
     if (r->dark)
         r->cff_hz = r->cff_ferry_porter_hz = NAN;

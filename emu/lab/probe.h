@@ -74,8 +74,8 @@ struct vm_probe_report {
     uint64_t periods;              /* 0: not even one, or nothing repeats; harmonics are NaN then */
     double refresh_hz, repeats_hz; /* of the machine, of the place; NaN: not known */
     struct crt_waveform_figures figures;
-    bool dark;        /* no light at all; then what follows is 0, false or NaN */
-    bool settled;     /* the second half's mean is within 0.5 % of the first half's */
+    bool dark;    /* less than anybody sees, 1e-6 cd/m²; what follows is then 0, false or NaN */
+    bool settled; /* the second half's mean is within 0.5 % of the first half's */
     double eye_cd_m2; /* used for what follows */
     double cff_hz;    /* Farrell, Benson, Haynie */
     int cff_harmonic; /* the one it is of, 1… */

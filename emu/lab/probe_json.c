@@ -29,7 +29,7 @@ static void key(FILE *out, const char *name)
     fprintf(out, ",\n \"%s\": ", name);
 }
 
-static void put_text(FILE *out, const char *text)
+void vm_probe_text(FILE *out, const char *text)
 {
     putc('"', out);
     for (; *text; text++) {
@@ -43,7 +43,7 @@ static void put_text(FILE *out, const char *text)
 static void text(FILE *out, const char *name, const char *value)
 {
     key(out, name);
-    put_text(out, value);
+    vm_probe_text(out, value);
 }
 
 static void number(FILE *out, const char *name, double value)
@@ -120,7 +120,7 @@ void vm_probe_print_json(FILE *out, const struct vm_probe_job *job, const struct
                          const struct vm_probe_report *r)
 {
     fputs("{\"program\": ", out);
-    put_text(out, job->input.name);
+    vm_probe_text(out, job->input.name);
     print_place(out, probe);
     seconds(out, "from_s", r->t0);
     seconds(out, "to_s", r->t1);

@@ -2,6 +2,7 @@
  *
  *      cmd_probe.c   options, the lit run        probe_plan.c     from when to when, of which head
  *      probe_json.c  figures                     probe_csv.c      samples
+ *      probe_along.c luminance along a line
  *      probe_signal.h                            probe_traces.c   deflection and grid signals as CSV and plot
  *
  * Time:       picoseconds since power-on.
@@ -21,11 +22,10 @@
 #include "emu/saved.h"
 
 struct vm_probe_options {
-    const char *place, *csv, *out, *signal, *field;
+    const char *place, *along, *csv, *out, *signal, *field;
     struct vm_time from, to;
-    struct crt_rate rate;
     struct vm_size size;
-    double area, pupil, luminance;
+    double area, pupil, luminance, rate;
     bool screen, projector, log, allow_dark;
     struct vm_moment_options moment;
     struct vm_saved_options saved;
@@ -38,9 +38,10 @@ struct vm_probe_job {
     struct vm_probe_options o;
     struct vm_input input;
     struct vm_settings settings;
-    struct vm_probe_place place; /* in mm once planned */
-    uint64_t from, to;           /* asked for, or found */
-    unsigned signals;            /* bits of enum vm_signal; 0: light */
+    struct vm_probe_place place;  /* in mm once planned */
+    double along[2], along_mm[2]; /* --along: head units, mm */
+    uint64_t from, to;            /* asked for, or found */
+    unsigned signals;             /* bits of enum vm_signal; 0: light */
     struct vm_progress progress;
 };
 
@@ -59,6 +60,12 @@ bool vm_probe_write_csv(const char *path, const struct vm_probe *probe,
 void vm_probe_seconds(uint64_t ps, char text[VM_SECONDS_TEXT]);
 /* As many digits as a float has; "null" where it is no number. */
 void vm_probe_number(FILE *out, double value);
+
+/* The text as a JSON string. */
+void vm_probe_text(FILE *out, const char *text);
+
+/* --along: from an open rig to all that is to be written. */
+bool vm_probe_measure_along(struct vm_probe_job *job, struct vm_rig *rig, struct crt_error *err);
 
 /* --signal: the whole of it, with its files. An exit status. */
 int vm_probe_signals(struct vm_probe_job *job, struct crt_error *err);

@@ -8,12 +8,13 @@
 #include "emu/trouble.h"
 #include "emu/view.h"
 
-#define UNSETTLED 1e-3                /* part of the steady light that may still be missing */
+#define UNSETTLED 1e-4                /* part of the steady light that may still be missing */
 #define LEAD_MOST (10 * CRT_PS_PER_S) /* no phosphor is waited for longer */
 #define PERIODS   6                   /* of the default time, at least */
 #define LENGTH_PS (CRT_PS_PER_S / 10) /* the same */
 #define PATIENCE  (10 * CRT_PS_PER_S) /* for so many refreshes */
 #define SLACK     1000                /* parts of a period more: what is whole is cut out later */
+#define SAMPLES   1e7                 /* of --rate, at most */
 #define LINES     4                   /* of the raster head's signals */
 
 /* ---- when --------------------------------------------------------------------------------------- */
@@ -130,6 +131,15 @@ static int find_to(struct vm_probe_job *job, struct vm_machine *m, struct crt_er
     return VM_EXIT_OK;
 }
 
+/* More samples than anybody reads are a slip of the hand. */
+static bool check_samples(const struct vm_probe_job *job, struct crt_error *err)
+{
+    double count = job->o.rate * (double)(job->to - job->from) * 1e-12;
+    return count <= SAMPLES ||
+           crt_fail(err, "--rate: that would be %.3g samples; shorten the time or lower the rate",
+                    count);
+}
+
 /* ---- where -------------------------------------------------------------------------------------- */
 
 static bool find_head(struct vm_probe_job *job, const struct vm_machine *m, struct crt_error *err)
@@ -151,6 +161,8 @@ static bool find_head(struct vm_probe_job *job, const struct vm_machine *m, stru
     job->place.head = view == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR;
     if (job->place.kind != CRT_DIODE_SCREEN)
         vm_view_place(view, m, job->place.x, job->place.y, &job->place.x_mm, &job->place.y_mm);
+    if (job->o.along)
+        vm_view_place(view, m, job->along[0], job->along[1], &job->along_mm[0], &job->along_mm[1]);
     job->place.in_mm = true;
     return true;
 }
@@ -178,6 +190,8 @@ static int plan(struct vm_probe_job *job, struct vm_rig *rig, struct crt_error *
     status = find_to(job, m, err);
     if (status)
         return status;
+    if (!check_samples(job, err))
+        return VM_EXIT_USAGE;
     vm_progress_run(&job->progress, m, job->to);
     return check_trouble(job, m, err) ? VM_EXIT_OK : VM_EXIT_TROUBLE;
 }

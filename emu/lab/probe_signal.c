@@ -285,7 +285,7 @@ bool vm_signals_record(struct vm_signals *signals, struct vm_rig *rig, enum vm_h
     struct recorder r = {.out = signals, .machine = rig->machine};
     *signals = (struct vm_signals){.head = head,
                                    .guns = head == VM_RASTER ? rig->machine->raster.desc.guns : 1};
-    if (from > AROUND_PS)
+    if (from > rig->machine->now + AROUND_PS)
         vm_machine_run(rig->machine, from - AROUND_PS);
     listen(&r, to + AROUND_PS);
     clip(&r, &signals->x, from, to);

@@ -119,15 +119,14 @@ static bool write_csv(const struct vm_probe_job *job, const struct vm_signals *s
     struct vm_out out;
     struct crt_error closing;
     struct table table = columns_of(s, job->signals);
-    struct crt_rate rate = job->o.rate;
     bool ok = vm_out_open(&out, job->o.csv, err);
     if (ok) {
         fputs("t_s", out.file);
         for (int i = 0; i < table.count; i++)
             fprintf(out.file, ",%s", table.column[i].name);
         putc('\n', out.file);
-        if (rate.num)
-            print_even(out.file, &table, job->from, job->to, (double)rate.num / (double)rate.den);
+        if (job->o.rate > 0)
+            print_even(out.file, &table, job->from, job->to, job->o.rate);
         else
             print_bends(out.file, &table);
     }

@@ -9,7 +9,7 @@
 #define OFF       1e-3
 #define FLOOR     1e-4 /* of the peak: below, nobody looks */
 #define WEAK      1e-5 /* deposits with less, as a part of the strongest, get no samples of their own */
-#define HALVINGS  12 /* within a deposit, towards the moment at which the beam passes */
+#define HALVINGS  12 /* of the way, within a deposit */
 #define MANY      20000
 #define MOST      20000000 /* samples: 1 GB */
 #define PER_WHOLE 200      /* at least, so that a curve that hardly bends is drawn smoothly */
@@ -94,29 +94,43 @@ static double fluence(const struct crt_deposit *d, int colours)
     return sum;
 }
 
-/* Ends of the deposits; of few, moments around that at which the beam passes, too. */
+/* Ends of a deposit; towards its beginning, where a fast phosphor rises; and, but for a whole screen, whose
+ * deposits are even, around the moment at which the beam passes. */
+static void add_deposit(struct instants *s, const struct crt_deposit *d, int halvings, bool passes,
+                        uint64_t t0, uint64_t t1)
+{
+    double begin = (double)d->t0, end = (double)d->t1, middle = begin + d->mean_t_s * 1e12,
+           step = end - begin;
+    add_within(s, begin, t0, t1);
+    add_within(s, end, t0, t1);
+    if (passes)
+        add_within(s, middle, t0, t1);
+    for (int k = 0; k < halvings; k++) {
+        step /= 2;
+        add_within(s, begin + step, t0, t1);
+        if (passes && middle - step > begin)
+            add_within(s, middle - step, t0, t1);
+        if (passes && middle + step < end)
+            add_within(s, middle + step, t0, t1);
+    }
+}
+
 static void add_deposits(struct instants *s, const struct vm_probe *p, uint64_t t0, uint64_t t1)
 {
-    size_t count;
+    size_t count, first = 0;
     const struct crt_deposit *d = crt_photodiode_deposits(p->diode, &count);
+    bool whole = p->place.kind == CRT_DIODE_SCREEN;
     double most = 0;
-    for (size_t i = 0; i < count; i++)
+    while (first < count && d[first].t1 <= t0)
+        first++;
+    while (count > first && d[count - 1].t0 >= t1)
+        count--;
+    int halvings = count - first > MANY ? 0 : whole ? HALVINGS / 2 : HALVINGS;
+    for (size_t i = first; i < count; i++)
         most = fmax(most, fluence(&d[i], p->phosphor->colours));
-    for (size_t i = 0; i < count; i++) {
-        if (d[i].t1 <= t0 || d[i].t0 >= t1 || fluence(&d[i], p->phosphor->colours) < WEAK * most)
-            continue;
-        add_within(s, (double)d[i].t0, t0, t1);
-        add_within(s, (double)d[i].t1, t0, t1);
-        double middle = (double)d[i].t0 + d[i].mean_t_s * 1e12, step = (double)(d[i].t1 - d[i].t0);
-        add_within(s, middle, t0, t1);
-        for (int k = 0; k < HALVINGS && count < MANY && p->place.kind != CRT_DIODE_SCREEN; k++) {
-            step /= 2;
-            if (middle - step > (double)d[i].t0)
-                add_within(s, middle - step, t0, t1);
-            if (middle + step < (double)d[i].t1)
-                add_within(s, middle + step, t0, t1);
-        }
-    }
+    for (size_t i = first; i < count; i++)
+        if (fluence(&d[i], p->phosphor->colours) >= WEAK * most)
+            add_deposit(s, &d[i], halvings, !whole, t0, t1);
 }
 
 /* From t, how far a straight line follows the decay: its error is dt²/8 times the second derivative. */

@@ -11,6 +11,17 @@ const char vm_sweep_model[] =
     "dark screen (they flicker less), the corner of the eye and moving eyes (more), who the viewer "
     "is.";
 
+/* Harmonics that the stroboscopic visibility measure takes: up to 2 kHz from 80 Hz. */
+#define HARMONICS 25
+
+static double svm(const struct crt_glow *glow, double hz)
+{
+    double c[HARMONICS];
+    for (int n = 1; n <= HARMONICS; n++)
+        c[n - 1] = crt_glow_harmonic(glow, hz, n);
+    return crt_svm(hz, c, HARMONICS);
+}
+
 struct vm_sweep_cell vm_sweep_cell(const struct vm_sweep *s, const struct vm_sweep_at *at)
 {
     struct crt_glow glow = crt_glow_of(s->phosphor[at->phosphor]);
@@ -23,6 +34,8 @@ struct vm_sweep_cell vm_sweep_cell(const struct vm_sweep *s, const struct vm_swe
         .cff_hz = crt_cff(&viewer, cd_m2, &glow),
         .limit_cd_m2 = crt_flicker_luminance(&viewer, hz, &glow),
     };
+    c.ieee1789 = crt_ieee1789(hz, c.percent_flicker);
+    c.svm = svm(&glow, hz);
     c.margin_hz = c.cff_hz - hz;
     c.flickers = crt_flickers(&viewer, cd_m2, hz, c.c1);
     return c;
@@ -112,4 +125,21 @@ void vm_sweep_take_field(struct vm_sweep *s, const char *field)
         if (!field || strcmp(field, "all") == 0 || strcmp(field, name) == 0)
             s->field[s->fields++] = i;
     }
+}
+
+void vm_sweep_sort(struct vm_sweep *s)
+{
+    double cff[VM_SWEEP_PHOSPHORS];
+    for (int i = 0; i < s->phosphors; i++)
+        cff[i] = vm_sweep_cell(s, &(struct vm_sweep_at){.phosphor = i}).cff_hz;
+    /* By insertion: those with the same keep their order. */
+    for (int i = 1; i < s->phosphors; i++)
+        for (int k = i; k > 0 && cff[k - 1] > cff[k]; k--) {
+            const struct crt_phosphor *p = s->phosphor[k];
+            double hz = cff[k];
+            s->phosphor[k] = s->phosphor[k - 1];
+            s->phosphor[k - 1] = p;
+            cff[k] = cff[k - 1];
+            cff[k - 1] = hz;
+        }
 }

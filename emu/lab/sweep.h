@@ -42,6 +42,8 @@ struct vm_sweep_cell {
     double margin_hz;   /* CFF − rate: above 0 it flickers */
     double limit_cd_m2; /* the luminance above which that rate flickers; may be infinite */
     bool flickers;
+    enum crt_ieee1789 ieee1789;
+    double svm; /* NaN outside its range of rates */
 };
 
 struct vm_sweep_cell vm_sweep_cell(const struct vm_sweep *s, const struct vm_sweep_at *at);
@@ -53,6 +55,9 @@ bool vm_sweep_take_rates(struct vm_sweep *s, const char *rates, struct crt_error
 bool vm_sweep_take_luminances(struct vm_sweep *s, const char *luminances, struct crt_error *err);
 /* "10", "30", "50", "70"; NULL or "all": all four. */
 void vm_sweep_take_field(struct vm_sweep *s, const char *field);
+
+/* The phosphors by CFF, lowest first, of the first field and luminance. */
+void vm_sweep_sort(struct vm_sweep *s);
 
 /* At most 100 columns. With one field: margin, C1 and limit; with several: those who see flicker. */
 void vm_sweep_print(FILE *to, const struct vm_sweep *s);

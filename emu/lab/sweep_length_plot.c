@@ -99,8 +99,9 @@ bool vm_length_draw(const struct vm_length *l, struct vm_size size, enum vm_plot
               crt_fail(err, "not enough memory for the plot; close other programs");
     if (ok) {
         fill(l, &g, &c);
-        snprintf(title, sizeof title, "%s with %s: how long may the display list be?", m->row.name,
-                 m->phosphor.name);
+        snprintf(title, sizeof title,
+                 "%s with %s, %.3g cd/m² at %.4g Hz: how long may the display list be?",
+                 m->row.name, m->phosphor.name, s->cd_m2, s->at_hz);
         snprintf(below, sizeof below, "below %.1f Hz it flickers (field of %.0f°)", s->hz,
                  crt_fields_deg[s->viewer.field]);
         snprintf(x_label, sizeof x_label, "%s%s", l->program.given ? "" : "number of ", g.label);

@@ -94,7 +94,7 @@ static void print_row(FILE *to, const struct vm_sweep *s, const struct layout *l
 {
     fprintf(to, "%-*s", l->name, at.luminance == 0 ? s->phosphor[at.phosphor]->name : "");
     if (l->luminance)
-        fprintf(to, "  %6.4g", s->cd_m2[at.luminance]);
+        fprintf(to, "  %6.6g", s->cd_m2[at.luminance]);
     print_cff(to, s, at);
     for (at.rate = l->first; at.rate < l->end; at.rate++)
         if (s->fields == 1)
@@ -141,6 +141,35 @@ static void print_subject(FILE *to, const struct vm_sweep *s)
     fputc('\n', to);
 }
 
+/* What the eye does beyond the model's range. */
+static void print_bright(FILE *to, const struct vm_sweep *s)
+{
+    char text[200];
+    double most = 0, end = CRT_FLICKER_TROLANDS / crt_trolands(1, s->pupil_mm);
+    for (int i = 0; i < s->luminances; i++)
+        most = fmax(most, s->cd_m2[i]);
+    if (most <= end)
+        return;
+    snprintf(
+        text, sizeof text,
+        "Above %.0f cd/m2 (10000 trolands with this pupil) the CFF of the eye levels off below "
+        "what is told here.",
+        end);
+    vm_print_wrapped(to, text, 0);
+}
+
+static void print_comparison(FILE *to, const struct vm_sweep *s)
+{
+    char text[200];
+    if (s->luminances > 1)
+        return;
+    snprintf(text, sizeof text,
+             "For comparison: a small flashing field in the centre of the eye fuses at %.0f Hz, "
+             "whatever the phosphor (Ferry and Porter's law, its constants estimated).",
+             crt_cff_ferry_porter(s->cd_m2[0], s->pupil_mm));
+    vm_print_wrapped(to, text, 0);
+}
+
 static void print_legend(FILE *to, const struct vm_sweep *s)
 {
     fputc('\n', to);
@@ -157,6 +186,8 @@ static void print_legend(FILE *to, const struct vm_sweep *s)
                          "that is the limit.",
                          0);
     vm_print_wrapped(to, vm_sweep_model, 0);
+    print_bright(to, s);
+    print_comparison(to, s);
 }
 
 void vm_sweep_print(FILE *to, const struct vm_sweep *s)
@@ -183,14 +214,19 @@ static void print_line(FILE *to, const struct vm_sweep *s, struct vm_sweep_at at
     struct vm_sweep_cell c = vm_sweep_cell(s, &at);
     fprintf(to, "%s,%.9g,%.9g,%.0f,%.9g", s->phosphor[at.phosphor]->name, s->cd_m2[at.luminance],
             s->rate_hz[at.rate], field_deg(s, at.field), s->pupil_mm);
-    fprintf(to, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%s\n", c.c1, c.percent_flicker, c.flicker_index,
+    fprintf(to, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%s", c.c1, c.percent_flicker, c.flicker_index,
             c.cff_hz, c.margin_hz, c.limit_cd_m2, c.flickers ? "yes" : "no");
+    fprintf(to, ",%.9g,%s,", crt_cff_ferry_porter(s->cd_m2[at.luminance], s->pupil_mm),
+            crt_ieee1789_name(c.ieee1789));
+    if (c.svm >= 0)
+        fprintf(to, "%.9g", c.svm);
+    fputc('\n', to);
 }
 
 void vm_sweep_print_csv(FILE *to, const struct vm_sweep *s)
 {
     fputs("phosphor,cd_m2,refresh_hz,field_deg,pupil_mm,c1,percent_flicker,flicker_index,cff_hz,"
-          "margin_hz,limit_cd_m2,flickers\n",
+          "margin_hz,limit_cd_m2,flickers,ferry_porter_hz,ieee1789,svm\n",
           to);
     struct vm_sweep_at at;
     for (at.phosphor = 0; at.phosphor < s->phosphors; at.phosphor++)

@@ -10,14 +10,20 @@
 #include "emu/command.h"
 #include "emu/debug/snapshot.h"
 #include "emu/lab/why_record.h"
+#include "emu/lab/why_words.h"
+#include "emu/memmap.h"
 #include "emu/progress.h"
 
 /* Notes are compared with deposits after so long: few enough of them wait, whatever draws. */
 #define SLICE (CRT_PS_PER_S / 50)
 
-/* How much of a window's past is run again: with light, and for stores alone. */
+/* How much of a window's past is run again: with light; for stores alone first, then six times as much, and
+ * so on, as long as that is not more instructions (about a second of a host's). */
 #define LIGHT_AGAIN  (CRT_PS_PER_S / 2)
-#define STORES_AGAIN (10 * CRT_PS_PER_S)
+#define STORES_AGAIN (2 * CRT_PS_PER_S)
+#define MOST_AGAIN   UINT64_C(150000000)
+/* Smaller parts of the light are not worth that. */
+#define LEAST_ASKED 0.01
 
 /* Cells of the planes that nobody looks at. */
 #define CELLS 8
@@ -272,25 +278,80 @@ static bool open_past(struct vm_rig *again, const struct vm_why_desc *desc,
     return !s.failed;
 }
 
-/* Stores from before the light: a machine in the dark. */
-static bool remember_stores(struct run *r, const struct vm_why_desc *desc, const struct vm_rig *rig,
-                            const struct vm_history *history, uint64_t until, struct crt_error *err)
+/* Whether it is worth running more again for: who stored it is not known, nor that nobody has. */
+static bool asks(const struct vm_why *why, const struct vm_why_desc *desc,
+                 const struct vm_why_deposit *d, double least)
 {
+    const struct vm_why_names names = {.program = &desc->input->program};
+    const char *file;
+    uint32_t line;
+    return d->named && !d->store.known && d->share >= least && !d->row.overscan &&
+           !(why->place.head == VM_VECTOR && vm_why_source_line(&names, d, &file, &line));
+}
+
+static bool any_asks(const struct vm_why *why, const struct vm_why_desc *desc)
+{
+    for (size_t i = 0; i < why->count; i++)
+        if (asks(why, desc, &why->deposit[i], LEAST_ASKED * why->luminance))
+            return true;
+    return why->passed && asks(why, desc, &why->at_place, 0);
+}
+
+/* What nobody had stored to since `stores` ended was last stored to before. */
+static void fill(const struct vm_why *why, const struct vm_stores *stores, const struct vm_rig *rig,
+                 struct vm_why_deposit *d)
+{
+    if (!d->named || d->store.known || d->row.overscan)
+        return;
+    d->store =
+        why->place.head == VM_VECTOR
+            ? vm_stores_last(stores, MAP_DISPLAY + d->word.address, 2 * (uint32_t)d->word.words)
+            : vm_stores_last(stores, MAP_VIDEO_BUFFER + d->row.address, d->row.bytes);
+    name_instruction(rig, &d->store);
+}
+
+static void fill_all(struct vm_why *why, const struct vm_stores *stores, const struct vm_rig *rig)
+{
+    for (size_t i = 0; i < why->count; i++)
+        fill(why, stores, rig, &why->deposit[i]);
+    fill(why, stores, rig, &why->nearest);
+    fill(why, stores, rig, &why->at_place);
+}
+
+/* Runs a machine in the dark from the snapshot at or before `from` to `until`, noting stores. False:
+ * nothing is gained by going back further. */
+static bool run_dark(struct vm_why *why, const struct vm_why_desc *desc, const struct vm_rig *rig,
+                     const struct vm_history *history, uint64_t from, uint64_t until,
+                     uint64_t retired)
+{
+    struct crt_error err;
     struct vm_rig dark = {0};
-    uint64_t from = until > STORES_AGAIN ? until - STORES_AGAIN : 0;
-    if (!(r->stores = vm_stores_create()))
-        return no_memory(err);
-    if (!rig->board)
-        return true;
-    bool ok = open_past(&dark, desc, NULL, rig, history, from, err);
-    if (ok) {
-        vm_stores_tap(r->stores, &dark);
-        if (until > dark.machine->now)
-            vm_machine_run(dark.machine, until);
-        vm_stores_untap(r->stores);
+    struct vm_stores *stores = vm_stores_create();
+    bool ok = stores && open_past(&dark, desc, NULL, rig, history, from, &err);
+    bool further = ok && dark.machine->now > 0 && dark.machine->now <= from;
+    if (ok && retired - rv_retired(&dark.board->cpu) > MOST_AGAIN)
+        ok = further = false;
+    if (ok && dark.machine->now < until) {
+        vm_stores_tap(stores, &dark);
+        vm_machine_run(dark.machine, until);
+        vm_stores_untap(stores);
+        fill_all(why, stores, &dark);
     }
+    vm_stores_free(stores);
     vm_rig_close(&dark);
-    return ok;
+    return further;
+}
+
+/* Stores from before the light, as far back as it takes, and as there is memory and patience. */
+static void ask_further(struct vm_why *why, const struct vm_why_desc *desc,
+                        const struct vm_rig *rig, const struct vm_history *history, uint64_t until,
+                        uint64_t retired)
+{
+    for (uint64_t back = STORES_AGAIN; any_asks(why, desc); back *= 6) {
+        uint64_t from = until > back ? until - back : 0;
+        if (!run_dark(why, desc, rig, history, from, until, retired) || from == 0)
+            return;
+    }
 }
 
 bool vm_why_past(struct vm_why *why, const struct vm_why_desc *desc, const struct vm_rig *rig,
@@ -299,16 +360,17 @@ bool vm_why_past(struct vm_why *why, const struct vm_why_desc *desc, const struc
     struct run r = {0};
     struct vm_tubes tubes = tubes_of(desc, true);
     uint64_t now = rig->machine->now, from = now > LIGHT_AGAIN ? now - LIGHT_AGAIN : 0;
-    bool ok = open_past(&r.rig, desc, &tubes, rig, history, from, err) &&
-              remember_stores(&r, desc, rig, history, r.rig.machine->now, err) &&
-              begin(&r, &desc->place, err);
-    if (ok && r.rig.machine->now >= now)
-        ok = crt_fail(err, "the machine has not run since the beginning of its memory");
+    bool ok =
+        open_past(&r.rig, desc, &tubes, rig, history, from, err) && begin(&r, &desc->place, err);
     if (ok) {
+        from = r.rig.machine->now;
+        uint64_t retired = r.rig.board ? rv_retired(&r.rig.board->cpu) : 0;
         go(&r, now);
         ok = answer(why, desc, &r, now, err);
         if (!ok)
             vm_why_free(why);
+        else if (r.rig.board)
+            ask_further(why, desc, rig, history, from, retired);
     }
     end(&r);
     return ok;

@@ -108,8 +108,9 @@ int vm_why_run(struct vm_why *why, const struct vm_why_desc *desc,
                const struct vm_saved_options *saved, uint64_t t, struct crt_error *err);
 
 /* The same for a machine as it stands, run again from what `history` remembers of it: light from before
- * that is `older`, stores from before are unknown. At most some seconds are run again. `desc` is
- * what the rig was opened with. */
+ * that is `older`, stores from before are unknown. Half a second is run again with light, and more in the
+ * dark when it is not known who stored what is seen, as long as that takes about a second of the host's.
+ * `desc` is what the rig was opened with. */
 bool vm_why_past(struct vm_why *why, const struct vm_why_desc *desc, const struct vm_rig *rig,
                  const struct vm_history *history, struct crt_error *err);
 

@@ -19,7 +19,11 @@
 /* A share above this is "all". */
 #define ALL 0.9995
 
-/* From here on a table of figures has room; below it rows are short. */
+/* Less than this part of the light is not worth a word. */
+#define FADED       1e-7
+#define LEAST_SHORT 5e-4
+
+/* From here on a sentence and a table of figures have room; below it lines are short. */
 #define WIDE 80
 
 #define TEXT_MAX 1600
@@ -32,6 +36,7 @@ struct writer {
     void (*line)(void *ctx, const char *line);
     void *ctx;
     int written;
+    struct vm_why_store store; /* the last one said */
 };
 
 static bool full(const struct writer *w)
@@ -107,7 +112,7 @@ static void ago(const struct vm_why *why, uint64_t t, char *text, size_t size)
 }
 
 /* "(drawn 2.1 ms ago)", "(drawn 12 times, last 2.1 ms ago, by what main stored)" */
-static void add_drawn(struct sentence *s, const struct writer *w, const struct vm_why_entry *e)
+static void add_drawn(struct sentence *s, struct writer *w, const struct vm_why_entry *e)
 {
     char when[32], text[300], code[200];
     ago(w->why, e->last->t0, when, sizeof when);
@@ -116,15 +121,16 @@ static void add_drawn(struct sentence *s, const struct writer *w, const struct v
     else
         snprintf(text, sizeof text, " (%zu pieces, the last %s ago", e->pieces, when);
     add(s, text);
-    if (e->last->store.known) {
+    if (e->last->store.known && !(w->store.known && w->store.pc == e->last->store.pc)) {
         vm_why_say_code(&w->text->names, e->last->store.pc, code, sizeof code);
         snprintf(text, sizeof text, ", stored by %s", code);
         add(s, text);
     }
+    w->store = e->last->store;
     add(s, ")");
 }
 
-static void add_sources(struct sentence *s, const struct writer *w, const struct vm_why_entries *e)
+static void add_sources(struct sentence *s, struct writer *w, const struct vm_why_entries *e)
 {
     char text[128], share[24];
     double rest = e->hidden_share;
@@ -152,11 +158,16 @@ static void add_sources(struct sentence *s, const struct writer *w, const struct
     }
 }
 
+static bool has_older(const struct vm_why *why)
+{
+    return why->older > FADED * why->luminance;
+}
+
 /* What was there when the record began. */
 static void add_older(struct sentence *s, const struct vm_why *why, bool first)
 {
     char text[128], share[24], when[32];
-    if (!(why->older > 0))
+    if (!has_older(why))
         return;
     percent(part_of(why, why->older), share, sizeof share);
     ago(why, why->from, when, sizeof when);
@@ -214,7 +225,7 @@ static void say_passed(struct writer *w)
         return;
     ago(why, why->at_place.t0, when, sizeof when);
     vm_why_say_what(why, &why->at_place, what, sizeof what);
-    vm_why_say_store(why, &w->text->names, &why->at_place, store, sizeof store);
+    vm_why_say_store(why, &w->text->names, &why->at_place, false, store, sizeof store);
     snprintf(text, sizeof text, "The beam passed there %s ago: %s, %s.", when, what,
              store[0] ? store : "which nobody has stored to");
     wrap(w, "", text);
@@ -233,75 +244,126 @@ static void figures(const struct writer *w, const struct vm_why_entry *e, char *
     char share[24], when[32];
     percent(part_of(w->why, e->share), share, sizeof share);
     ago(w->why, e->last->t0, when, sizeof when);
-    if (w->text->columns >= WIDE)
-        snprintf(text, size, "%8s %10.4g  %-13s %5zu  %-8.3g  ", share, e->share, when, e->pieces,
-                 e->fluence);
-    else
-        snprintf(text, size, "%8s %8s  ", share, when);
+    snprintf(text, size, "%8s %10.4g  %-13s %5zu  %-8.3g  ", share, e->share, when, e->pieces,
+             e->fluence);
+}
+
+/* The store behind an entry, unless the one before had the same; and who had called. */
+static void put_store(struct writer *w, const char *lead, const struct vm_why_deposit *d)
+{
+    char text[600], caller[300];
+    const struct vm_why_store *s = &d->store;
+    bool same = w->store.known && w->store.pc == s->pc && w->store.returns_to == s->returns_to;
+    w->store = *s;
+    vm_why_say_store(w->why, &w->text->names, d, same, text, sizeof text);
+    if (!text[0])
+        return;
+    vm_why_say_caller(&w->text->names, s, caller, sizeof caller);
+    if (caller[0] && !same) {
+        size_t n = strlen(text);
+        snprintf(text + n, sizeof text - n, "; called by %s", caller);
+    }
+    wrap(w, lead, text);
 }
 
 static void put_entry(struct writer *w, const struct vm_why_entry *e)
 {
     const struct vm_why_names *names = &w->text->names;
-    char lead[96], text[600], blank[96], what[300];
-    bool raster = w->why->place.head == VM_RASTER, wide = w->text->columns >= WIDE;
+    char lead[96], blank[96], source[160], what[300];
+    const char *file;
+    uint32_t line;
     figures(w, e, lead, sizeof lead);
     snprintf(blank, sizeof blank, "%*s", (int)strlen(lead), "");
-    vm_why_say_source(w->why, names, e->last, text, sizeof text);
+    vm_why_say_source(w->why, names, e->last, source, sizeof source);
     vm_why_say_what(w->why, e->last, what, sizeof what);
-    if (!wide) {
-        wrap(w, lead, text);
-    } else {
-        const char *file;
-        uint32_t line;
-        bool lined = !raster && vm_why_source_line(names, e->last, &file, &line);
-        if (lined)
-            wrap(w, lead, text);
-        if (!w->why->recording || !lined)
-            wrap(w, lined ? blank : lead, w->why->recording ? text : what);
-    }
-    vm_why_say_store(w->why, names, e->last, text, sizeof text);
-    if (text[0])
-        wrap(w, wide ? blank : "    ", text);
-    vm_why_say_caller(names, &e->last->store, what, sizeof what);
-    if (what[0]) {
-        snprintf(text, sizeof text, "called by %s", what);
-        wrap(w, wide ? blank : "    ", text);
-    }
+    bool lined =
+        w->why->place.head == VM_VECTOR && vm_why_source_line(names, e->last, &file, &line);
+    if (lined)
+        wrap(w, lead, source);
+    wrap(w, lined ? blank : lead, w->why->recording ? source : what);
+    put_store(w, blank, e->last);
 }
 
 static void put_rest(struct writer *w, size_t pieces, double cd_m2, const char *what)
 {
-    char share[24], text[160];
+    char share[24], text[160], count[24] = "";
     percent(part_of(w->why, cd_m2), share, sizeof share);
-    if (w->text->columns >= WIDE)
-        snprintf(text, sizeof text, "%8s %10.4g  %-13s", share, cd_m2, "");
-    else
-        snprintf(text, sizeof text, "%8s %8s", share, "");
-    size_t n = strlen(text);
     if (pieces)
-        snprintf(text + n, sizeof text - n, " %5zu  %s", pieces, what);
-    else
-        snprintf(text + n, sizeof text - n, "        %s", what);
+        snprintf(count, sizeof count, "%zu", pieces);
+    snprintf(text, sizeof text, "%8s %10.4g  %-13s %5s  %s", share, cd_m2, "", count, what);
     put(w, text);
 }
 
 static void put_table(struct writer *w, const struct vm_why_entries *e)
 {
-    double rest = e->hidden_share;
-    size_t hidden = e->hidden, i = 0;
-    if (w->text->columns >= WIDE && e->count)
+    if (e->count)
         put_head(w);
-    for (; i < e->count && (w->text->most == 0 || w->written + 2 < w->text->most); i++)
+    for (size_t i = 0; i < e->count; i++)
         put_entry(w, &e->at[i]);
-    for (; i < e->count; i++) {
-        rest += e->at[i].share;
-        hidden += e->at[i].pieces;
-    }
-    if (hidden > 0)
-        put_rest(w, hidden, rest, "others, each too small to be shown");
-    if (w->why->older > 0)
+    if (e->hidden > 0)
+        put_rest(w, e->hidden, e->hidden_share, "others, each too small to be shown");
+    if (has_older(w->why))
         put_rest(w, 0, w->why->older, "from before what is remembered");
+}
+
+/* ---- short ----------------------------------------------------------------------------------- */
+
+static void put_short_head(struct writer *w)
+{
+    const struct vm_why *why = w->why;
+    char text[160], when[40];
+    vm_format_seconds(why->t, when, sizeof when);
+    snprintf(text, sizeof text, "(%.5g, %.5g) at %s: ", why->place.x, why->place.y, when);
+    size_t n = strlen(text);
+    if (why->luminance >= DARK_CD_M2)
+        snprintf(text + n, sizeof text - n, "%.3g cd/m2", why->luminance);
+    else
+        snprintf(text + n, sizeof text - n, "dark");
+    wrap(w, "", text);
+}
+
+/* "80.9 % scan line 300, 5.2 ms ago, by fill+0x24, roms/raster/fill.c:88" */
+static void put_short(struct writer *w, const struct vm_why_entry *e)
+{
+    char share[24], lead[32], source[160], when[32], code[200], text[500];
+    const struct vm_why_store *s = &e->last->store;
+    percent(part_of(w->why, e->share), share, sizeof share);
+    snprintf(lead, sizeof lead, "%6s ", share);
+    vm_why_say_source(w->why, &w->text->names, e->last, source, sizeof source);
+    ago(w->why, e->last->t0, when, sizeof when);
+    snprintf(text, sizeof text, "%s, %s ago", source, when);
+    size_t n = strlen(text);
+    if (s->known && !(w->store.known && w->store.pc == s->pc)) {
+        vm_why_say_code(&w->text->names, s->pc, code, sizeof code);
+        snprintf(text + n, sizeof text - n, ", stored by %s", code);
+    }
+    w->store = *s;
+    wrap(w, lead, text);
+}
+
+static void put_short_rest(struct writer *w, double cd_m2, const char *what)
+{
+    char share[24], text[120];
+    if (!(cd_m2 > LEAST_SHORT * w->why->luminance))
+        return;
+    percent(part_of(w->why, cd_m2), share, sizeof share);
+    snprintf(text, sizeof text, "%6s %s", share, what);
+    put(w, text);
+}
+
+/* As many entries as there is room for, and a line for the rest. */
+static void put_short_table(struct writer *w, const struct vm_why_entries *e)
+{
+    const int most = w->text->most, kept = most > 0 ? 1 + has_older(w->why) : 0;
+    double rest = e->hidden_share;
+    for (size_t i = 0; i < e->count; i++)
+        if (most == 0 || w->written + kept + 2 <= most)
+            put_short(w, &e->at[i]);
+        else
+            rest += e->at[i].share;
+    put_short_rest(w, rest, "others");
+    if (has_older(w->why))
+        put_short_rest(w, w->why->older, "from before what is remembered");
 }
 
 /* ---- all ------------------------------------------------------------------------------------- */
@@ -320,6 +382,7 @@ static void put_sentence(struct writer *w)
         add_older(&s, w->why, e.count == 0);
     }
     wrap(w, "", s.text);
+    w->store.known = false; /* the table says it again */
     if (made)
         vm_why_entries_free(&e);
 }
@@ -327,15 +390,22 @@ static void put_sentence(struct writer *w)
 void vm_why_lines(const struct vm_why *why, const struct vm_why_text *text,
                   void (*line)(void *ctx, const char *line), void *ctx)
 {
-    struct writer w = {why, text, line, ctx, 0};
+    struct writer w = {.why = why, .text = text, .line = line, .ctx = ctx};
     struct vm_why_entries e;
-    put_sentence(&w);
+    bool wide = text->columns >= WIDE;
+    if (wide)
+        put_sentence(&w);
+    else
+        put_short_head(&w);
     if (why->luminance < DARK_CD_M2) {
         say_nearest(&w);
         say_passed(&w);
     }
     if (why->luminance > 0 && vm_why_entries_make(&e, why, text, text->all)) {
-        put_table(&w, &e);
+        if (wide)
+            put_table(&w, &e);
+        else
+            put_short_table(&w, &e);
         vm_why_entries_free(&e);
     }
 }

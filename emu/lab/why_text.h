@@ -31,7 +31,8 @@ struct vm_why_text {
     double least; /* smaller shares are summed up in one line; 0.01 = 1 % */
 };
 
-/* One sentence that says it all, broken into lines, then a line each. `line` gets them one by one. */
+/* One sentence that says it all, broken into lines, then a table; with less than 80 columns a short form: a
+ * line with the luminance, and one or two for each group. `line` gets them one by one. */
 void vm_why_lines(const struct vm_why *why, const struct vm_why_text *text,
                   void (*line)(void *ctx, const char *line), void *ctx);
 

@@ -15,9 +15,12 @@ bool vm_why_source_line(const struct vm_why_names *names, const struct vm_why_de
     const struct df_program *p = names->program;
     uint32_t at = d->word.address / 2;
     if (!p || !p->words || !d->named || d->store.known || d->word.words == 0 ||
-        at >= DF_MEMORY_BYTES / 2 || !p->loaded[at] || !p->line[at] ||
-        p->words[at] != d->word.word[0] || p->line[at] >> 24 >= p->file_count)
+        at + 1 >= DF_MEMORY_BYTES / 2 || !p->loaded[at] || !p->line[at] ||
+        p->line[at] >> 24 >= p->file_count)
         return false;
+    for (int i = 0; i < d->word.words; i++) /* the program may have changed them */
+        if (p->words[at + (uint32_t)i] != d->word.word[i])
+            return false;
     *file = p->files[p->line[at] >> 24];
     *line = p->line[at] & 0xFFFFFF;
     return true;
@@ -104,15 +107,19 @@ void vm_why_say_code(const struct vm_why_names *names, uint32_t pc, char *text, 
 }
 
 void vm_why_say_store(const struct vm_why *why, const struct vm_why_names *names,
-                      const struct vm_why_deposit *d, char *text, size_t size)
+                      const struct vm_why_deposit *d, bool same, char *text, size_t size)
 {
     char code[180], when[32], instruction[RV_DISASM_MAX];
     const struct vm_why_store *s = &d->store;
     text[0] = '\0';
     if (!s->known)
         return;
-    vm_why_say_code(names, s->pc, code, sizeof code);
     vm_format_time(why->t > s->t ? why->t - s->t : 0, when, sizeof when);
+    if (same) {
+        snprintf(text, size, "stored %s ago by the same", when);
+        return;
+    }
+    vm_why_say_code(names, s->pc, code, sizeof code);
     rv_disasm(s->pc, s->word, instruction, sizeof instruction);
     snprintf(text, size, "stored %s ago by %s: %08x %s", when, code, (unsigned)s->pc, instruction);
 }

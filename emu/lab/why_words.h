@@ -24,10 +24,10 @@ void vm_why_say_what(const struct vm_why *why, const struct vm_why_deposit *depo
 void vm_why_say_word(const struct vm_why_deposit *deposit, char *text, size_t size);
 /* "fill+0x24, roms/raster/fill.c:88" of an address in the program */
 void vm_why_say_code(const struct vm_why_names *names, uint32_t pc, char *text, size_t size);
-/* "stored by fill+0x24, roms/raster/fill.c:88, at 12.3 ms: 80001234 sw a5,0(a4)"; "" when nobody has,
- * or who is not known. */
+/* "stored 12.3 ms ago by fill+0x24, roms/raster/fill.c:88: 80001234 sw a5,0(a4)", or "by the same" as what
+ * was said before; "" when nobody has, or who is not known. */
 void vm_why_say_store(const struct vm_why *why, const struct vm_why_names *names,
-                      const struct vm_why_deposit *deposit, char *text, size_t size);
+                      const struct vm_why_deposit *deposit, bool same, char *text, size_t size);
 /* Who had called it, when that is another function: "memset" says little. "" else. */
 void vm_why_say_caller(const struct vm_why_names *names, const struct vm_why_store *store,
                        char *text, size_t size);

@@ -108,6 +108,8 @@ static void cells_within(struct table *t, struct vm_size size)
         below = columns + 0.9 * s;
     }
     t->top = floor(t->top);
+    /* Whole pixels of cells leave a rest; it goes below. */
+    t->label_y = fmin(t->label_y, t->top + h->row_count * t->cell_h + below + s);
     t->cell = t->row;
     double text = widest_cell(h, t->cell), room = fmax(t->cell_w - BESIDE * t->cell.size, 0);
     if (text > room)

@@ -118,19 +118,47 @@ static bool cut(const struct vm_ink *ink, double margin, double p[4])
     return true;
 }
 
+/* Half the diagonal of a pixel, rounded up: beyond it an edge does not touch it. */
+#define CORNER 0.7072
+
 struct capsule {
-    double x, y, dx, dy, length2, half, reach, full;
+    double x, y, dx, dy, length2, half, reach;
 };
+
+/* The share of a pixel on the inner side of an edge that lies x beyond its centre, `nx` and `ny` >= 0 the edge's
+ * normal: the integral of a trapezoid, the pixel seen along the edge. */
+static double inner_share(double x, double nx, double ny)
+{
+    double a = (nx + ny) / 2, b = fabs(nx - ny) / 2, far = fabs(x), beyond;
+    if (far >= a)
+        beyond = 0;
+    else if (far <= b)
+        beyond = 0.5 - far / (a + b);
+    else
+        beyond = (a - far) * (a - far) / (2 * (a * a - b * b));
+    return x < 0 ? beyond : 1 - beyond;
+}
 
 static double coverage_at(const struct capsule *c, double px, double py)
 {
     double vx = px - c->x, vy = py - c->y;
     double t = c->length2 > 0 ? (vx * c->dx + vy * c->dy) / c->length2 : 0;
     t = t < 0 ? 0 : t > 1 ? 1 : t;
-    double ex = vx - t * c->dx, ey = vy - t * c->dy, d2 = ex * ex + ey * ey;
+    double ex = vx - t * c->dx, ey = vy - t * c->dy, d2 = ex * ex + ey * ey,
+           inner = c->half - CORNER;
     if (d2 >= c->reach * c->reach)
         return 0;
-    return least(c->reach - sqrt(d2), c->full);
+    if (inner > 0 && d2 <= inner * inner)
+        return 1;
+    double d = sqrt(d2), nx = 1, ny = 0;
+    if (d > 1e-6) {
+        nx = fabs(ex) / d;
+        ny = fabs(ey) / d;
+    } else if (c->length2 > 0) {
+        nx = fabs(c->dy) / sqrt(c->length2);
+        ny = fabs(c->dx) / sqrt(c->length2);
+    }
+    return most(0, inner_share(c->half - d, nx, ny) + inner_share(c->half + d, nx, ny) - 1);
 }
 
 /* The columns of a row within reach of the segment's line. */
@@ -157,7 +185,7 @@ void vm_ink_segment(struct vm_ink *ink, double x0, double y0, double x1, double 
     double half = width / 2;
     if (!(half > 0) || !cut(ink, half + 2, p))
         return;
-    struct capsule c = {p[0], p[1], p[2] - p[0], p[3] - p[1], 0, half, half + 0.5, least(1, width)};
+    struct capsule c = {p[0], p[1], p[2] - p[0], p[3] - p[1], 0, half, half + CORNER};
     c.length2 = c.dx * c.dx + c.dy * c.dy;
     int top = whole(floor(least(p[1], p[3]) - c.reach), ink->y0, ink->y1);
     int bottom = whole(ceil(most(p[1], p[3]) + c.reach) + 1, ink->y0, ink->y1);

@@ -2,8 +2,8 @@
  *
  *      segments, areas ──cover──▶ coverage 0…1 of every pixel ──spread(colour)──▶ the picture
  *
- * Models:     a pen with a round tip: a pixel is covered as far as the line's edge reaches into it, measured
- *             along the normal (half width + ½ − distance of its centre). Coverage of the parts of one curve
+ * Models:     a pen with a round tip: a pixel is covered by the share of its square that lies within the line (exact
+ *             along straight edges; round ends by their tangent). Coverage of the parts of one curve
  *             combines by maximum, so that joints are no darker than the rest; areas add up.
  * Light:      ink is blended in linear light (sRGB decoded), so a grey edge is as bright as the covered share
  *             and a thin line has the same weight at every angle.

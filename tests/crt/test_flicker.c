@@ -285,7 +285,7 @@ static void classes_of_ieee_1789(void **state)
         {90, 2.98, CRT_IEEE_NO_EFFECT},  {90, 7.19, CRT_IEEE_LOW_RISK},
         {90, 7.21, CRT_IEEE_ABOVE},      {1249, 99.9, CRT_IEEE_LOW_RISK},
         {1249, 41, CRT_IEEE_NO_EFFECT},  {1251, 100, CRT_IEEE_LOW_RISK},
-        {2999, 99, CRT_IEEE_NO_EFFECT},  {3001, 100, CRT_IEEE_NO_EFFECT},
+        {2950, 99, CRT_IEEE_LOW_RISK},   {3001, 100, CRT_IEEE_NO_EFFECT},
         {0, 0, CRT_IEEE_ABOVE},          {NAN, 1, CRT_IEEE_ABOVE},
         {100, NAN, CRT_IEEE_ABOVE},
     };

@@ -355,13 +355,14 @@ static void expectations_are_checked(void **state)
         {"c1 0.43..0.46 first harmonic", true, "0.445", "0.43 to 0.46"},
         {"c1 0.445..0.5", true, "0.445", "0.445 to 0.5"},
         {"c1 0.45..0.46", false, "0.445", "0.45 to 0.46"},
-        {"c1 40%..45%", true, "44.5%", "40% to 45%"},
-        {"p 330us..350us", true, "340 us", "330us to 350us"},
-        {"p > 1ms", false, "0.34 ms", "more than 1ms"},
-        {"p <= 340us", true, "340 us", "at most 340us"},
+        {"c1 40%..45%", true, "44.5 %", "40 % to 45 %"},
+        {"p 330us..350us", true, "340 µs", "330 µs to 350 µs"},
+        {"p > 1ms", false, "0.34 ms", "more than 1 ms"},
+        {"p <= 340us", true, "340 µs", "at most 340 µs"},
         {"c1 < {one.c1}", true, "0.445", "less than one.c1, which is 1.2"},
         {"one.c1 >= {c1}", true, "1.2", "at least c1, which is 0.445"},
         {"2.c1 = 7", true, "7", "exactly 7"},
+        {"t_s > {one.t_s}", true, "340.0 µs", "more than one.t_s, which is 33.00 ns"},
         {"flickers true", true, "yes", "yes"},
         {"flickers false", false, "yes", "no"},
         {"svm none", true, "not applicable", "not applicable"},
@@ -385,12 +386,12 @@ static void expectations_are_checked(void **state)
         if (!read_text(&l, text, &err))
             fail_msg("%s", err.text);
         assert_true(vm_lesson_results_init(&r, &l, "/out", &err));
-        assert_true(vm_lesson_results_take(&r, 4, strdup("{\"c1\": 1.2}"), &err));
-        assert_true(vm_lesson_results_take(
-            &r, 6,
-            strdup("{\"c1\": 0.445, \"p\": 0.00034, \"flickers\": true, \"svm\": null, "
-                   "\"class\": \"low\", \"nested\": [{\"x\": 4}]}"),
-            &err));
+        assert_true(vm_lesson_results_take(&r, 4, strdup("{\"c1\": 1.2, \"t_s\": 3.3e-8}"), &err));
+        assert_true(vm_lesson_results_take(&r, 6,
+                                           strdup("{\"c1\": 0.445, \"p\": 0.00034, \"t_s\": "
+                                                  "0.00034, \"flickers\": true, \"svm\": null, "
+                                                  "\"class\": \"low\", \"nested\": [{\"x\": 4}]}"),
+                                           &err));
         assert_true(vm_lesson_results_take(&r, 7, strdup("{\"c1\": 7}"), &err));
         if (!vm_lesson_outcome(&r, l.lines - 1, &o, &err))
             fail_msg("%s: %s", cases[i].line, err.text);

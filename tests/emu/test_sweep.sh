@@ -56,13 +56,18 @@ INI
         BEGIN { pi = 3.14159265358979
             m[10] = 14.6; n[10] = 7.00; m[30] = 13.83; n[30] = 8.31
             m[50] = 8.32; n[50] = 9.73; m[70] = 6.79; n[70] = 10.03 }
-        NR == 1 { if ($0 != "phosphor,cd_m2,refresh_hz,field_deg,pupil_mm,c1,percent_flicker,flicker_index,cff_hz,margin_hz,limit_cd_m2,flickers") bad = 1; next }
+        NR == 1 { if ($0 != "phosphor,cd_m2,refresh_hz,field_deg,pupil_mm,c1,percent_flicker,flicker_index,cff_hz,margin_hz,limit_cd_m2,flickers,ferry_porter_hz,ieee1789,svm") bad = 1; next }
         { c1 = 2 / sqrt(1 + (2 * pi * $3 * 0.005) ^ 2); x = 1 / ($3 * 0.005); a = 1 / (1 - exp(-x))
           area = pi * 4
           f = 50; for (i = 0; i < 200; i++) f = (f + m[$4] + n[$4] * log($2 * area * 2 / sqrt(1 + (2 * pi * f * 0.005) ^ 2))) / 2
           limit = exp(($3 - m[$4]) / n[$4]) / (area * c1)
           if ($1 != "OWN" || $5 != 4 || off($6, c1) || off($7, 100 * tanh(x / 2)) || off($8, a - 1 / x - log(x * a) / x)) bad = 1
           if (off($9, f) || off($10, f - $3) || off($11, limit)) bad = 1
+          if (off($13, 12 + 10 * log($2 * area) / log(10)) || $14 != "above the low-risk limit") bad = 1
+          if ($3 < 80) { if ($15 != "") bad = 1 } else {
+            v = 0; for (k = 1; k * $3 <= 2000; k++) { g = k * $3
+              v += (2 / sqrt(1 + (2 * pi * g * 0.005) ^ 2) / (1 / (1 + exp(-0.00518 * (g - 306.6))) + 20 * exp(-g / 10))) ^ 3.7 }
+            if (off($15, v ^ (1 / 3.7))) bad = 1 }
           if ($12 != ($3 < f ? "yes" : "no") || $12 != ($2 > limit ? "yes" : "no")) bad = 1 }
         END { exit bad || NR != 1 + 2 * 3 * 4 }' "$work/said"
 report $? "CSV has the closed forms, for a phosphor of one's own"

@@ -32,7 +32,7 @@ static void assemble(const struct vm_list_shape *s, long n, struct vm_input *inp
     struct df_asm_report report;
     FILE *to = open_memstream(&text, &length);
     assert_non_null(to);
-    vm_list_write(to, s, n);
+    vm_list_write(to, s, n, NULL);
     fclose(to);
     memset(input, 0, sizeof *input);
     if (!df_assemble_text("list.df", text, length, NULL, &input->program, &report))
