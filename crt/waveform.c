@@ -55,7 +55,7 @@ static double crossing_in(const struct measuring *m, const struct crt_diode_stre
     for (int i = 0; i < 60 && b - a > 1e-13 * s->seconds; i++) {
         double middle = i % 8 == 7 ? (a + b) / 2 : (a * fb - b * fa) / (fb - fa);
         double f = crt_stretch_at(m->phosphor, s, middle) - level;
-        if (fabs(f) < 1e-14 * level)
+        if (fabs(f) < 1e-8 * level) /* the area above is flat there: good to 1e-16 */
             return middle;
         if ((f > 0) == (fb > 0)) {
             b = middle;
