@@ -22,6 +22,8 @@
 #ifndef EMU_LAB_PROBE_H
 #define EMU_LAB_PROBE_H
 
+#include <stdio.h>
+
 #include "crt/flicker.h"
 #include "crt/image.h"
 #include "crt/waveform.h"
@@ -88,6 +90,10 @@ struct vm_probe_report {
 /* [t0, t1) within what the diode has seen. False: memory ran out. */
 bool vm_probe_report(struct vm_probe *probe, uint64_t t0, uint64_t t1,
                      struct vm_probe_report *report, struct crt_error *err);
+
+/* The report as one flat JSON object, keys always in the same order; numbers that are none are null. */
+void vm_probe_json(FILE *out, const char *program, const struct vm_probe *probe,
+                   const struct vm_probe_report *report);
 
 /* The period's rate alone, Hz; 0: nothing repeats. */
 double vm_probe_hz(const struct vm_probe *probe, uint64_t t0, uint64_t t1);
