@@ -19,19 +19,24 @@
 
 /* ---- when --------------------------------------------------------------------------------------- */
 
-/* How long from power-on until all but UNSETTLED of the steady light is there: w·e^(−t/tau) of each term
- * is missing. */
-static uint64_t settling(const struct crt_phosphor *p)
+uint64_t vm_probe_fading(const struct crt_phosphor *p, double part)
 {
-    uint64_t t = VM_SETTLED_PS;
+    uint64_t t = CRT_PS_PER_MS;
     for (; t < LEAD_MOST; t += t / 16) {
-        double missing = 0;
+        double left = 0;
         for (int k = 0; k < p->terms; k++)
-            missing += p->term[k].w * crt_exp(-(double)t * 1e-12 / p->term[k].tau_s);
-        if (missing <= UNSETTLED)
+            left += p->term[k].w * crt_exp(-(double)t * 1e-12 / p->term[k].tau_s);
+        if (left <= part)
             return t;
     }
     return LEAD_MOST;
+}
+
+/* How long from power-on until all but UNSETTLED of the steady light is there. */
+static uint64_t settling(const struct crt_phosphor *p)
+{
+    uint64_t t = vm_probe_fading(p, UNSETTLED);
+    return t > VM_SETTLED_PS ? t : VM_SETTLED_PS;
 }
 
 /* A recording ends some time: its second half. */
