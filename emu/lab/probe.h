@@ -99,7 +99,9 @@ void vm_probe_json(FILE *out, const char *program, const struct vm_probe *probe,
 double vm_probe_hz(const struct vm_probe *probe, uint64_t t0, uint64_t t1);
 
 /* Samples. hz > 0: evenly spaced from t0 on, before t1. hz 0: where the curve wants them, from t0 to t1: at
- * the ends of deposits and so densely between them that straight lines are within a thousandth of it. */
+ * the ends of deposits and so densely between them that straight lines are within a thousandth of it.
+ * VM_PROBE_LOOK: the same, but not finer than a picture shows. */
+#define VM_PROBE_LOOK (-1.0)
 struct vm_probe_wave {
     size_t count;
     int colours;
