@@ -9,6 +9,8 @@
 #include "emu/script_suits.h"
 #include "emu/view.h"
 
+#define FORGOTTEN 1e-12
+
 #define ROW(field) offsetof(struct vm_probe_options, field)
 
 static const struct vm_option rows[] = {
@@ -181,6 +183,14 @@ static struct vm_tubes tubes_for(const struct vm_probe_job *job)
     return tubes;
 }
 
+/* What has faded but for a part of FORGOTTEN by the beginning need not be seen by the diode. */
+static void wait_for_diode(struct vm_probe_job *job, struct vm_machine *m)
+{
+    uint64_t lead = vm_probe_fading(&job->settings.monitor[job->place.head].phosphor, FORGOTTEN);
+    if (job->from > m->now + lead)
+        vm_progress_run(&job->progress, m, job->from - lead);
+}
+
 /* To the beginning; what deposits came before is of no interest, their light is. */
 static void lead_in(struct vm_probe_job *job, struct vm_probe *probe, struct vm_machine *m)
 {
@@ -255,15 +265,18 @@ static bool measure(struct vm_probe_job *job, struct vm_rig *rig, struct crt_err
 {
     struct vm_probe probe = {0};
     struct vm_probe_report report;
-    if (!vm_probe_open(&probe, rig, &job->place, err))
+    vm_progress_begin(&job->progress);
+    wait_for_diode(job, rig->machine);
+    if (!vm_probe_open(&probe, rig, &job->place, err)) {
+        vm_progress_end(&job->progress);
         return false;
+    }
     for (int f = 0; job->o.field && f < CRT_FIELDS; f++)
         if ((int)crt_fields_deg[f] == atoi(job->o.field))
             probe.viewer.field = f;
     if (job->o.pupil > 0)
         probe.viewer.pupil_mm = job->o.pupil;
     probe.eye_cd_m2 = job->o.luminance;
-    vm_progress_begin(&job->progress);
     lead_in(job, &probe, rig->machine);
     vm_probe_run(&probe, rig->machine, job->to);
     vm_progress_end(&job->progress);

@@ -116,11 +116,11 @@ static void print_eye(FILE *out, const struct vm_probe *p, const struct vm_probe
         text(out, "svm", "not applicable");
 }
 
-void vm_probe_print_json(FILE *out, const struct vm_probe_job *job, const struct vm_probe *probe,
-                         const struct vm_probe_report *r)
+void vm_probe_json(FILE *out, const char *program, const struct vm_probe *probe,
+                   const struct vm_probe_report *r)
 {
     fputs("{\"program\": ", out);
-    vm_probe_text(out, job->input.name);
+    vm_probe_text(out, program);
     print_place(out, probe);
     seconds(out, "from_s", r->t0);
     seconds(out, "to_s", r->t1);
@@ -133,4 +133,10 @@ void vm_probe_print_json(FILE *out, const struct vm_probe_job *job, const struct
     print_light(out, r);
     print_eye(out, probe, r);
     fputs("}\n", out);
+}
+
+void vm_probe_print_json(FILE *out, const struct vm_probe_job *job, const struct vm_probe *probe,
+                         const struct vm_probe_report *r)
+{
+    vm_probe_json(out, job->input.name, probe, r);
 }
