@@ -148,12 +148,12 @@ static void say_nearest(struct vm_why_writer *w)
     vm_why_say_source(why, &w->text->names, &why->nearest, source, sizeof source);
     vm_why_say_what(why, &why->nearest, what, sizeof what);
     vm_why_ago(why, why->nearest.t0, when, sizeof when);
+    bool words = why->place.head == VM_VECTOR && why->nearest.named;
     if (why->place.head == VM_RASTER)
         snprintf(source, sizeof source, "dot %d of scan line %d", (int)why->nearest.row.dot,
                  (int)(int32_t)why->nearest.source);
     snprintf(text, sizeof text, "The lit beam came nearest with %s, %.3g mm away, %s ago%s%s",
-             source, why->nearest_mm, when, why->place.head == VM_VECTOR ? ": " : ".",
-             why->place.head == VM_VECTOR && !why->recording ? what : "");
+             source, why->nearest_mm, when, words ? ": " : ".", words ? what : "");
     vm_why_wrap(w, "", text);
 }
 

@@ -104,6 +104,11 @@ as_probed "also when it has nearly faded, on P7" "$work/cross.df" 470,513 116 --
     grep -q "from display word [0-7]*" "$work/said" && ! grep -q 'line [0-9]' "$work/said"
 report $? "octal words have no source"
 
+"$KINESCOPE" trace "$work/cross.df" --what beam --for 100ms -o "$work/cross.beam" 2>"$work/said" &&
+    "$KINESCOPE" why "$work/cross.beam" --at 450,512 --time 100ms >"$work/said" 2>&1 &&
+    grep -q "all of it from word [0-7]* of the recording" "$work/said"
+report $? "a recording has the words' addresses"
+
 # ---- firmware ----
 
 pixel=tests/roms/pixel
