@@ -100,6 +100,8 @@ static void deposit(FILE *out, const struct vm_why *why, const struct vm_why_nam
             seconds(d->t1), seconds(why->t) - seconds(d->t0));
     if (why->place.head == VM_RASTER)
         fprintf(out, ", \"scan_line\": %d", (int)(int32_t)d->source);
+    else if (!d->named)
+        fprintf(out, ", \"address\": \"%06o\"", (unsigned)d->source);
     if (!d->named)
         return;
     if (why->place.head == VM_RASTER)
