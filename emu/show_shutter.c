@@ -108,7 +108,7 @@ void vm_show_calm(struct vm_show *show, double seconds)
     if (!show->no_flash || !show->film_ready)
         return;
     if (!p->calm && !(p->calm = vm_calm_create(&p->rig, &err))) {
-        vm_show_say(show, err.text);
+        fprintf(stderr, "kinescope run: %s\n", err.text);
         show->quit = true; /* what was promised cannot be kept */
         return;
     }
