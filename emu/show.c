@@ -203,7 +203,7 @@ static void loop(struct vm_show *show)
         look_after_program(show, now);
         double before = show->last_time;
         run_frame(show, now);
-        vm_show_calm(show, now - before);
+        vm_show_calm(show, fmin(now - before, LONGEST_FRAME_S));
         vm_show_note(show);
         vm_show_scope_watch(show);
         vm_show_scope(show, now);

@@ -201,6 +201,7 @@ const struct vm_frame *vm_show_frame(const struct vm_show *show);
 void vm_show_calm(struct vm_show *show, double seconds);
 void vm_show_turn_shutter(struct vm_show *show, int direction);
 void vm_show_say_shutter(struct vm_show *show);
+void vm_show_describe_shutter(uint64_t shutter, char *text, size_t size);
 /* The head looked at, of two the vector head. */
 int vm_show_main_head(const struct vm_show *show);
 /* Of what a head shows: a power of two; as "x1/32". */

@@ -108,7 +108,7 @@ void vm_show_calm(struct vm_show *show, double seconds)
     if (!show->no_flash || !show->film_ready)
         return;
     if (!p->calm && !(p->calm = vm_calm_create(&p->rig, &err))) {
-        vm_show_say(show, err.text);
+        fprintf(stderr, "kinescope run: %s\n", err.text);
         show->quit = true; /* what was promised cannot be kept */
         return;
     }
@@ -119,10 +119,22 @@ void vm_show_calm(struct vm_show *show, double seconds)
 /* ---- shutter -------------------------------------------------------------------------------------
  */
 
+void vm_show_describe_shutter(uint64_t shutter, char *text, size_t size)
+{
+    if (shutter % CRT_PS_PER_US)
+        vm_format_time(shutter, text, size);
+    else if (shutter % CRT_PS_PER_MS)
+        snprintf(text, size, "%llu us", (unsigned long long)(shutter / CRT_PS_PER_US));
+    else if (shutter % CRT_PS_PER_S)
+        snprintf(text, size, "%llu ms", (unsigned long long)(shutter / CRT_PS_PER_MS));
+    else
+        snprintf(text, size, "%llu s", (unsigned long long)(shutter / CRT_PS_PER_S));
+}
+
 void vm_show_say_shutter(struct vm_show *show)
 {
     char text[128], time[32];
-    vm_format_time(show->shutter, time, sizeof time);
+    vm_show_describe_shutter(show->shutter, time, sizeof time);
     snprintf(text, sizeof text, "shutter %s - Right Ctrl with Up, Down",
              show->shutter ? time : "auto: the time that a picture stands for");
     vm_show_say(show, text);
