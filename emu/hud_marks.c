@@ -123,6 +123,8 @@ static void draw_picture(struct vm_hud *hud)
 {
     int w = hud->picture_width, h = hud->picture_height;
     int left = hud->canvas.width - w - MARGIN, top = MARGIN;
+    if (hud->side[1][0]) /* under what the half is called */
+        top = vm_hud_strip(hud->canvas.width, hud->canvas.height);
     if (left < 0 || top + h > hud->canvas.height)
         return;
     for (int y = 0; y < h; y++) {

@@ -227,7 +227,7 @@ static void loop(struct vm_show *show)
 static bool open_all(struct vm_show *show, struct crt_error *err)
 {
     const struct vm_show_desc *d = show->desc;
-    show->window = vm_window_open(d->size.width, d->size.height, "kinescope", err);
+    show->window = vm_window_open(d->size.width, d->size.height, show->sides, "kinescope", err);
     if (!show->window)
         return false;
     for (int i = 0; i < show->sides * VM_HEADS; i++) {
