@@ -16,7 +16,7 @@ ARCH := $(shell $(CC) -dumpmachine 2>/dev/null | cut -d- -f1)
 # ---- what the project is made of --------------------------------------------------------------
 
 FOLDERS   := crt display_file raster input emu
-EMU_PARTS := emu/cpu emu/board emu/debug emu/plot emu/lab
+EMU_PARTS := emu/cpu emu/board emu/debug emu/plot emu/lab emu/lesson
 HEADERS   := $(foreach d,$(FOLDERS) $(EMU_PARTS),$(wildcard $(d)/*.h))
 SOURCES   := $(filter-out emu/main.c,$(foreach d,$(FOLDERS) $(EMU_PARTS),$(wildcard $(d)/*.c)))
 ifneq ($(ARCH),x86_64)

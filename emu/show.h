@@ -124,7 +124,7 @@ struct vm_show {
     /* The program (show_program.c), on each machine; NULL before the first. */
     struct vm_shown *side[VM_SIDES];
     int sides;
-    struct vm_shown *program; /* side[0] */
+    struct vm_shown *program;                  /* side[0] */
     char caption[VM_SIDES][VM_VERSUS_CAPTION]; /* of two; UTF-8 */
     char path[4096];
     uint64_t stamp;  /* of the files shown, when they were read */
@@ -233,6 +233,7 @@ const struct vm_frame *vm_show_frame(const struct vm_show *show, const struct vm
 void vm_show_calm(struct vm_show *show, double seconds);
 void vm_show_turn_shutter(struct vm_show *show, int direction);
 void vm_show_say_shutter(struct vm_show *show);
+void vm_show_describe_shutter(uint64_t shutter, char *text, size_t size);
 /* The head looked at on the left side, of two the vector head. */
 int vm_show_main_head(const struct vm_show *show);
 /* Of what a head shows: a power of two; as "x1/32". */

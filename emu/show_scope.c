@@ -19,6 +19,7 @@
 #define SHORTEST    1e-7 /* seconds shown, at least */
 #define LONGEST_S   0.25 /* and at most */
 #define MEASURED_S  3.0
+#define TRIGGERED   2.5  /* refreshes shown, from which on the curve ends with one */
 #define SAMPLES     1000 /* of a whole screen */
 #define MARK_LEAST  5.0  /* pixels */
 #define CAPTION_MAX 300
@@ -220,8 +221,8 @@ static void describe(const struct vm_scope *s, char text[CAPTION_MAX])
              r->settled ? "" : "  (not settled)");
 }
 
-/* The curve, with its end at now. */
-static bool plot(struct vm_show *show, const struct vm_probe_wave *wave, uint64_t now, double span,
+/* The curve, with 0 at its end. */
+static bool plot(struct vm_show *show, const struct vm_probe_wave *wave, uint64_t end, double span,
                  struct vm_size size, struct crt_image *image, struct crt_error *err)
 {
     double unit = span >= 2e-3 ? 1e-3 : span >= 2e-6 ? 1e-6 : 1e-9, top = 0;
@@ -229,7 +230,7 @@ static bool plot(struct vm_show *show, const struct vm_probe_wave *wave, uint64_
     if (!x)
         return crt_fail(err, "not enough memory for the oscilloscope");
     for (size_t i = 0; i < wave->count; i++) {
-        x[i] = -seconds(now - wave->t[i]) / unit;
+        x[i] = -seconds(end - wave->t[i]) / unit;
         top = fmax(top, wave->cd_m2[i]);
     }
     struct vm_plot p = {.panel_count = 1};
@@ -275,6 +276,18 @@ static bool measure(struct vm_scope *s, double hz, struct crt_error *err)
     return s->known;
 }
 
+/* Where the curve ends: where refreshes are seen as a whole, with the last one, so that a steady picture's curve
+ * stands still; else now. */
+static uint64_t end_of(const struct vm_scope *s, uint64_t now, double hz, double span)
+{
+    const struct vm_probe *p = &s->probe;
+    if (p->beats == 0 || hz <= 0 || span * hz < TRIGGERED)
+        return now;
+    uint64_t end = p->beat[p->beats - 1].end;
+    return end < now && end > crt_photodiode_from(p->diode) && seconds(now - end) < span ? end
+                                                                                         : now;
+}
+
 /* Curve and figures up to now. */
 static bool look(struct vm_show *show, struct crt_image *image, struct crt_error *err)
 {
@@ -283,12 +296,12 @@ static bool look(struct vm_show *show, struct crt_image *image, struct crt_error
     uint64_t now = crt_photodiode_now(s->probe.diode);
     double hz = now_hz(s);
     double span = span_of(show, hz);
-    uint64_t t0 = since(s, now, span);
+    uint64_t end = end_of(s, now, hz, span), t0 = since(s, end, span);
     measure(s, hz, err);
     double rate = s->kind == CRT_DIODE_SCREEN ? SAMPLES / span : 0;
-    if (t0 >= now || !vm_probe_wave(&s->probe, t0, now, rate, &wave, err))
+    if (t0 >= end || !vm_probe_wave(&s->probe, t0, end, rate, &wave, err))
         return false;
-    bool ok = plot(show, &wave, now, span, picture_size(show), image, err);
+    bool ok = plot(show, &wave, end, span, picture_size(show), image, err);
     vm_probe_wave_free(&wave);
     vm_probe_forget(&s->probe, before(now, 2 * measured_s(hz)));
     return ok;
@@ -326,8 +339,9 @@ void vm_show_mark_diode(struct vm_show *show)
 {
     const struct vm_scope *s = &show->scope;
     double x = 0, y = 0, pitch = 1;
-    bool there = s->placed && s->kind != CRT_DIODE_SCREEN &&
-                 vm_show_window_place(show, s->side, s->head, s->x_mm, s->y_mm, &x, &y, &pitch);
+    bool there =
+        s->placed && s->kind != CRT_DIODE_SCREEN &&
+        vm_show_window_place(show, s->side, (int)s->head, s->x_mm, s->y_mm, &x, &y, &pitch);
     double radius = s->kind == CRT_DIODE_DISC ? DISC_MM / 2 / pitch : 0;
     vm_hud_mark(show->hud, VM_MARK_DIODE, x, y, there ? fmax(radius, MARK_LEAST) : 0);
 }

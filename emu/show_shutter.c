@@ -59,7 +59,7 @@ static bool slide(struct vm_show *show, struct vm_shown *p, uint64_t until)
         return got;
     show->shutter = 0;
     vm_show_say(show, err.text);
-    return film(show, p, &p->frame, until);
+    return p->rig.machine->now < until && film(show, p, &p->frame, until);
 }
 
 /* One side; false: it has no light that is new. */
@@ -118,7 +118,7 @@ void vm_show_calm(struct vm_show *show, double seconds)
     for (int i = 0; i < show->sides; i++) {
         struct vm_shown *p = show->side[i];
         if (!p->calm && !(p->calm = vm_calm_create(&p->rig, &err))) {
-            vm_show_say(show, err.text);
+            fprintf(stderr, "kinescope run: %s\n", err.text);
             show->quit = true; /* what was promised cannot be kept */
             return;
         }
@@ -130,10 +130,22 @@ void vm_show_calm(struct vm_show *show, double seconds)
 /* ---- shutter -------------------------------------------------------------------------------------
  */
 
+void vm_show_describe_shutter(uint64_t shutter, char *text, size_t size)
+{
+    if (shutter % CRT_PS_PER_US)
+        vm_format_time(shutter, text, size);
+    else if (shutter % CRT_PS_PER_MS)
+        snprintf(text, size, "%llu us", (unsigned long long)(shutter / CRT_PS_PER_US));
+    else if (shutter % CRT_PS_PER_S)
+        snprintf(text, size, "%llu ms", (unsigned long long)(shutter / CRT_PS_PER_MS));
+    else
+        snprintf(text, size, "%llu s", (unsigned long long)(shutter / CRT_PS_PER_S));
+}
+
 void vm_show_say_shutter(struct vm_show *show)
 {
     char text[128], time[32];
-    vm_format_time(show->shutter, time, sizeof time);
+    vm_show_describe_shutter(show->shutter, time, sizeof time);
     snprintf(text, sizeof text, "shutter %s - Right Ctrl with Up, Down",
              show->shutter ? time : "auto: the time that a picture stands for");
     vm_show_say(show, text);

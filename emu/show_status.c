@@ -49,7 +49,7 @@ static void describe_exposure(const struct vm_show *show, char *text, size_t siz
 {
     char shutter[48] = "", gain[48] = "", time[32], factor[32];
     int g = vm_show_gain(show, vm_show_main_head(show));
-    vm_format_time(show->shutter, time, sizeof time);
+    vm_show_describe_shutter(show->shutter, time, sizeof time);
     vm_show_describe_gain(g, factor, sizeof factor);
     if (show->shutter)
         snprintf(shutter, sizeof shutter, "  shutter %s", time);

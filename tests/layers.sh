@@ -28,7 +28,8 @@ bad=$(
     # Plots know nothing of machines, only how files are written; the laboratory uses both, and no window.
     allowed emu/plot 'emu/plot|emu/(quantity|out_file)\.h|crt'
     allowed emu/lab 'emu|display_file|raster|input|crt'
-    grep -nE '#[[:space:]]*include[[:space:]]+"emu/(show|window|hud)' emu/lab/*.[ch] 2>/dev/null || true
+    allowed emu/lesson 'emu/lesson|emu/[a-z_]*\.h|crt'
+    grep -nE '#[[:space:]]*include[[:space:]]+"emu/(show|window|hud)' emu/lab/*.[ch] emu/lesson/*.[ch] 2>/dev/null || true
     grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]+"emu/' emu/*.[ch] 2>/dev/null |
         grep -E "^emu/(machine_[a-z]+|$machine)\\.[ch]:" |
         grep -vE "\"emu/($machine\\.h|board/|cpu/)" || true

@@ -11,9 +11,9 @@
 
 #include <cmocka.h>
 
-#include "emu/lab/lesson.h"
-#include "emu/lab/lesson_command.h"
-#include "emu/lab/lesson_results.h"
+#include "emu/lesson/lesson.h"
+#include "emu/lesson/lesson_command.h"
+#include "emu/lesson/lesson_results.h"
 
 #define HEAD "title T\nsummary S\norder 1\n"
 

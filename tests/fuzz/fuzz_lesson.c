@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "emu/lab/lesson_results.h"
-#include "emu/lab/lesson_text.h"
+#include "emu/lesson/lesson_results.h"
+#include "emu/lesson/lesson_text.h"
 
 static void require(int holds)
 {
