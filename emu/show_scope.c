@@ -52,7 +52,8 @@ static bool put_on(struct vm_show *show, struct crt_error *err)
                                    .in_mm = true,
                                    .x_mm = s->x_mm,
                                    .y_mm = s->y_mm};
-    const struct vm_machine *m = show->program->rig.machine;
+    struct vm_rig *rig = &show->side[s->side]->rig;
+    const struct vm_machine *m = rig->machine;
     screen = m->dpu.desc.screen;
     if (s->head == VM_RASTER)
         screen = (struct crt_screen){m->raster.desc.width_mm, m->raster.desc.height_mm,
@@ -61,13 +62,14 @@ static bool put_on(struct vm_show *show, struct crt_error *err)
     if (s->head == VM_RASTER)
         place.y = screen.units_y - 1 - place.y;
     take_off(s);
-    return vm_probe_open(&s->probe, &show->program->rig, &place, err);
+    return vm_probe_open(&s->probe, rig, &place, err);
 }
 
-static void place_at(struct vm_show *show, enum vm_head head, double x_mm, double y_mm)
+static void place_at(struct vm_show *show, int side, enum vm_head head, double x_mm, double y_mm)
 {
     struct crt_error err;
     show->scope.placed = true;
+    show->scope.side = side;
     show->scope.head = head;
     show->scope.x_mm = x_mm;
     show->scope.y_mm = y_mm;
@@ -102,7 +104,7 @@ void vm_show_scope_key(struct vm_show *show)
     s->in_hand = true;
     vm_show_take_away(show);
     if (s->kind == CRT_DIODE_SCREEN)
-        place_at(show, (enum vm_head)vm_show_main_head(show), 0, 0);
+        place_at(show, 0, (enum vm_head)vm_show_main_head(show), 0, 0);
     vm_show_say(show,
                 "photodiode in hand: click where it is to look.  Right Ctrl A: point, disc, whole "
                 "screen; F9: the mouse is the program's again; F4: put away");
@@ -128,9 +130,9 @@ void vm_show_scope_area(struct vm_show *show)
               : s->kind == CRT_DIODE_DISC ? CRT_DIODE_SCREEN
                                           : CRT_DIODE_POINT;
     if (s->placed)
-        place_at(show, s->head, s->x_mm, s->y_mm);
+        place_at(show, s->side, s->head, s->x_mm, s->y_mm);
     else if (s->in_hand && s->kind == CRT_DIODE_SCREEN)
-        place_at(show, (enum vm_head)vm_show_main_head(show), 0, 0);
+        place_at(show, 0, (enum vm_head)vm_show_main_head(show), 0, 0);
     snprintf(text, sizeof text, "the photodiode sees %s%s", kind_name(s->kind),
              s->in_hand || s->placed ? " - Right Ctrl A" : " - F4 takes it in hand");
     vm_show_say(show, text);
@@ -144,7 +146,7 @@ bool vm_show_scope_event(struct vm_show *show, const struct vm_event *event)
     if (button && event->u.button.pressed && event->u.button.number == 0) {
         struct vm_spot spot = vm_show_spot(show, event->x, event->y);
         if (spot.on)
-            place_at(show, spot.head, spot.x_mm, spot.y_mm);
+            place_at(show, spot.side, spot.head, spot.x_mm, spot.y_mm);
         else
             vm_show_say(show, "there is no screen");
     }
@@ -308,7 +310,7 @@ static bool look(struct vm_show *show, struct crt_image *image, struct crt_error
 void vm_show_scope_watch(struct vm_show *show)
 {
     if (show->scope.probe.diode)
-        vm_probe_watch(&show->scope.probe, show->program->rig.machine);
+        vm_probe_watch(&show->scope.probe, show->side[show->scope.side]->rig.machine);
 }
 
 void vm_show_scope(struct vm_show *show, double now)
@@ -337,8 +339,9 @@ void vm_show_mark_diode(struct vm_show *show)
 {
     const struct vm_scope *s = &show->scope;
     double x = 0, y = 0, pitch = 1;
-    bool there = s->placed && s->kind != CRT_DIODE_SCREEN &&
-                 vm_show_window_place(show, (int)s->head, s->x_mm, s->y_mm, &x, &y, &pitch);
+    bool there =
+        s->placed && s->kind != CRT_DIODE_SCREEN &&
+        vm_show_window_place(show, s->side, (int)s->head, s->x_mm, s->y_mm, &x, &y, &pitch);
     double radius = s->kind == CRT_DIODE_DISC ? DISC_MM / 2 / pitch : 0;
     vm_hud_mark(show->hud, VM_MARK_DIODE, x, y, there ? fmax(radius, MARK_LEAST) : 0);
 }

@@ -62,9 +62,9 @@ static struct vm_why_names names_of(const struct vm_shown *p, const struct vm_so
                                  .lines = lines};
 }
 
-static void show_answer(struct vm_show *show, const struct vm_why *why, bool lower)
+static void show_answer(struct vm_show *show, const struct vm_shown *p, const struct vm_why *why,
+                        bool lower)
 {
-    const struct vm_shown *p = show->program;
     struct lines lines = {.count = 0};
     struct vm_source_lines *source = NULL;
     if (p->input.has_firmware)
@@ -84,8 +84,8 @@ static void show_answer(struct vm_show *show, const struct vm_why *why, bool low
 
 static void ask(struct vm_show *show, double x, double y)
 {
-    struct vm_shown *p = show->program;
     struct vm_spot spot = vm_show_spot(show, x, y);
+    struct vm_shown *p = show->side[spot.side];
     struct vm_why why;
     struct crt_error err;
     int width, height;
@@ -109,7 +109,8 @@ static void ask(struct vm_show *show, double x, double y)
         return;
     }
     vm_window_size(show->window, &width, &height);
-    show_answer(show, &why, y > height / 2.0);
+    show_answer(show, p, &why, y > height / 2.0);
+    show->why_side = spot.side;
     show->why_head = spot.head;
     show->why_x_mm = spot.x_mm;
     show->why_y_mm = spot.y_mm;
@@ -141,7 +142,8 @@ bool vm_show_why_event(struct vm_show *show, const struct vm_event *event)
 void vm_show_mark_asked(struct vm_show *show)
 {
     double x = 0, y = 0, pitch;
-    bool there = show->why_shown && vm_show_window_place(show, (int)show->why_head, show->why_x_mm,
-                                                         show->why_y_mm, &x, &y, &pitch);
+    bool there =
+        show->why_shown && vm_show_window_place(show, show->why_side, (int)show->why_head,
+                                                show->why_x_mm, show->why_y_mm, &x, &y, &pitch);
     vm_hud_mark(show->hud, VM_MARK_ASKED, x, y, there ? MARK : 0);
 }

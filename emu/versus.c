@@ -184,8 +184,8 @@ static void join(char *text, const char *part)
         snprintf(text + n, VM_VERSUS_CAPTION - n, "%s%s", n ? " \xC2\xB7 " : "", part);
 }
 
-static void join_all(const struct vm_versus *v, const struct vm_versus_side side[2], bool same_too,
-                     char text[2][VM_VERSUS_CAPTION])
+static void join_all(const struct vm_versus *v, const struct vm_versus_side side[VM_SIDES],
+                     bool same_too, char text[VM_SIDES][VM_VERSUS_CAPTION])
 {
     for (int i = 0; i < v->count; i++) {
         char part[2][96];
@@ -198,8 +198,8 @@ static void join_all(const struct vm_versus *v, const struct vm_versus_side side
     }
 }
 
-void vm_versus_captions(const struct vm_versus *v, const struct vm_versus_side side[2],
-                        char text[2][VM_VERSUS_CAPTION])
+void vm_versus_captions(const struct vm_versus *v, const struct vm_versus_side side[VM_SIDES],
+                        char text[VM_SIDES][VM_VERSUS_CAPTION])
 {
     text[0][0] = text[1][0] = '\0';
     join_all(v, side, false, text);
