@@ -185,6 +185,9 @@ static const uint8_t sheet[BANDS][FONT_HEIGHT][FONT_NEXT_ROW] = {
         ROW("........ .#####.. ........ ........ ........ ........ ........ ........"),
     },
 };
+#undef ROW
+#undef DOTS
+#undef DOT
 
 const uint8_t *font_rows(char c)
 {
