@@ -46,7 +46,7 @@ bool inp_unit_has(const struct inp_unit *unit, const struct inp_act *act)
 
 bool inp_unit_looks(const struct inp_unit *unit, enum inp_screen screen)
 {
-    return inp_unit_has_pen(unit, screen) && inp_pen_looks(&unit->pen[screen]);
+    return inp_unit_has_pen(unit, (int)screen) && inp_pen_looks(&unit->pen[screen]);
 }
 
 static uint64_t earlier(uint64_t a, uint64_t b)
@@ -101,7 +101,7 @@ void inp_unit_settle(struct inp_unit *unit, uint64_t t)
 static void init_pen(struct inp_unit *unit, int screen)
 {
     const struct inp_screen_desc *s = &unit->desc.screen[screen];
-    if (inp_unit_has_pen(unit, screen))
+    if (inp_unit_has_pen(unit, (int)screen))
         inp_pen_init(&unit->pen[screen], &(struct inp_pen_desc){
                                              .setup = &unit->desc.setup->pen,
                                              .row = s->row,
@@ -233,7 +233,7 @@ void inp_unit_line(struct inp_unit *unit, const struct crt_scan_line *line)
 
 void inp_unit_set_knobs(struct inp_unit *unit, enum inp_screen screen, struct crt_knobs knobs)
 {
-    if (inp_unit_has_pen(unit, screen))
+    if (inp_unit_has_pen(unit, (int)screen))
         inp_pen_set_knobs(&unit->pen[screen], knobs);
 }
 

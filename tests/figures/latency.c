@@ -11,7 +11,7 @@
 #include "emu/rig.h"
 #include "input/noise.h"
 
-#define TRIES  24
+#define TRIES  12
 #define MOST   400000
 #define BEFORE (3 * CRT_PS_PER_S) /* what is set up has settled by then */
 #define WAIT   (CRT_PS_PER_S / 2)
