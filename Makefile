@@ -16,7 +16,7 @@ ARCH := $(shell $(CC) -dumpmachine 2>/dev/null | cut -d- -f1)
 # ---- what the project is made of --------------------------------------------------------------
 
 FOLDERS   := crt display_file raster input emu
-EMU_PARTS := emu/cpu emu/board emu/debug emu/plot emu/lab
+EMU_PARTS := emu/cpu emu/board emu/debug emu/plot emu/lab emu/lesson
 HEADERS   := $(foreach d,$(FOLDERS) $(EMU_PARTS),$(wildcard $(d)/*.h))
 SOURCES   := $(filter-out emu/main.c,$(foreach d,$(FOLDERS) $(EMU_PARTS),$(wildcard $(d)/*.c)))
 ifneq ($(ARCH),x86_64)
@@ -56,7 +56,7 @@ $(error MODE is $(MODE); it must be rel, dbg, asan, tsan or cov)
 endif
 CFLAGS    := -std=c11 -D_POSIX_C_SOURCE=200809L $(WARN) $(EXACT) $(MODE_$(MODE)) -g -I. -pthread $(EXTRA_CFLAGS)
 LDFLAGS   := $(MODE_$(MODE)) -pthread
-LIBS      := -lglfw -lxcvt -lpng -linih -lnettle -lm -ldl
+LIBS      := -lglfw -lxcvt -lpng -linih -lnettle -ldw -lelf -lm -ldl
 TEST_LIBS := -lcmocka -lmpfr -lgmp
 
 .DEFAULT_GOAL := all
@@ -107,7 +107,7 @@ $(REPLAY_BINS): $(O)/%_replay: $(O)/%.o $(O)/tests/fuzz/replay.o $(ARCHIVES)
 
 # ---- what people call ------------------------------------------------------------------------------
 
-PACKAGES_RUN  := libpng-dev libglfw3-dev libinih-dev nettle-dev libxcvt-dev libosmesa6 libegl1 libgl1-mesa-dri
+PACKAGES_RUN  := libpng-dev libglfw3-dev libinih-dev nettle-dev libxcvt-dev libdw-dev libosmesa6 libegl1 libgl1-mesa-dri
 PACKAGES_TEST := $(PACKAGES_RUN) libcmocka-dev xvfb xdotool imagemagick libmpfr-dev
 
 # All processors build, unless make was told how many (-j).

@@ -142,22 +142,22 @@ static double cell_at(const struct crt_planes *planes, const struct crt_plane *p
                 planes->epoch - plane->age[tile]);
 }
 
-static void look_at_planes(const struct crt_tube *tube, const struct looking *at)
+void crt_tube_look_at_planes(const struct crt_tube *tube, double x_mm, double y_mm, uint64_t t,
+                             double cd_m2[CRT_MAX_TERMS])
 {
     double col, row, across[TAPS], down[TAPS];
-    crt_mm_to_cell(&tube->desc.grid, at->x_mm, at->y_mm, &col, &row);
+    crt_mm_to_cell(&tube->desc.grid, x_mm, y_mm, &col, &row);
     if (!(fabs(col) < 1e6 && fabs(row) < 1e6))
         return;
     int left = taps(col, across), top = taps(row, down);
-    double since = crt_seconds(tube->begin, at->t);
+    double since = crt_seconds(tube->begin, t);
     for (int k = 0; k < tube->planes.count; k++) {
         const struct crt_plane *plane = &tube->planes.plane[k];
-        const struct crt_phosphor_term *term = &at->phosphor->term[plane->term];
-        double stored = 0;
+        double tau = tube->desc.phosphor->term[plane->term].tau_s, stored = 0;
         for (int r = 0; r < TAPS; r++)
             for (int c = 0; c < TAPS; c++)
                 stored += down[r] * across[c] * cell_at(&tube->planes, plane, top + r, left + c);
-        at->cd_m2[term->colour] += fmax(stored, 0) / term->tau_s * crt_exp(-since / term->tau_s);
+        cd_m2[plane->term] += fmax(stored, 0) / tau * crt_exp(-since / tau);
     }
 }
 
@@ -168,7 +168,11 @@ void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint6
     struct looking at = {x_mm, y_mm, t, tube->desc.phosphor, cd_m2};
     for (int c = 0; c < CRT_MAX_COLOURS; c++)
         cd_m2[c] = 0;
-    look_at_planes(tube, &at);
+    double held[CRT_MAX_TERMS] = {0};
+    crt_tube_look_at_planes(tube, x_mm, y_mm, t, held);
+    for (int k = 0; k < tube->planes.count; k++)
+        cd_m2[at.phosphor->term[tube->planes.plane[k].term].colour] +=
+            held[tube->planes.plane[k].term];
     const struct crt_journal *journal = &tube->journal;
     for (size_t i = 0; i < journal->before.count; i++)
         look_at_entry(&at, &journal->before.at[i], 0, tube->begin, tube->quick);
@@ -182,17 +186,25 @@ void crt_tube_probe(const struct crt_tube *tube, double x_mm, double y_mm, uint6
 
 /* ---- totals ---------------------------------------------------------------------------------- */
 
-struct crt_tube_totals crt_tube_totals(const struct crt_tube *tube)
+void crt_tube_planes_stored(const struct crt_tube *tube, uint64_t t, double total[CRT_MAX_TERMS])
 {
-    struct crt_tube_totals totals = {crt_pass_stored(tube), tube->strokes};
-    double since = crt_seconds(tube->begin, tube->now);
+    double since = crt_seconds(tube->begin, t);
     for (int k = 0; k < tube->planes.count; k++) {
         const struct crt_plane *plane = &tube->planes.plane[k];
         double sum = 0;
         for (int row = 0; row < tube->planes.rows; row++)
             for (int col = 0; col < tube->planes.cols; col++)
                 sum += cell_at(&tube->planes, plane, row, col);
-        totals.stored += sum * crt_exp(-since / tube->desc.phosphor->term[plane->term].tau_s);
+        total[plane->term] += sum * crt_exp(-since / tube->desc.phosphor->term[plane->term].tau_s);
     }
+}
+
+struct crt_tube_totals crt_tube_totals(const struct crt_tube *tube)
+{
+    struct crt_tube_totals totals = {crt_pass_stored(tube), tube->strokes};
+    double sum[CRT_MAX_TERMS] = {0};
+    crt_tube_planes_stored(tube, tube->now, sum);
+    for (int k = 0; k < tube->planes.count; k++)
+        totals.stored += sum[tube->planes.plane[k].term];
     return totals;
 }

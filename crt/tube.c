@@ -7,6 +7,7 @@
 
 #include "crt/mask.h"
 #include "crt/maths.h"
+#include "crt/photodiode_parts.h"
 #include "crt/plan.h"
 #include "crt/share.h"
 #include "crt/tube_parts.h"
@@ -180,6 +181,7 @@ void crt_tube_stroke(struct crt_tube *tube, const struct crt_stroke *stroke)
     entry.crest = crt_plan_crest(&entry);
     if (!crt_journal_push(&tube->journal, &entry))
         tube->lost++;
+    crt_diodes_stroke(tube->diodes, &entry);
 }
 
 static bool sane_line(const struct crt_scan_line *line)
@@ -195,9 +197,11 @@ void crt_tube_scan_line(struct crt_tube *tube, const struct crt_scan_line *line)
     assert(line->t0 >= tube->last_start && line->t0 >= tube->now);
     tube->last_start = line->t0;
     tube->strokes++;
-    if (sane_line(line) &&
-        !crt_lines_push(&tube->lines, &tube->lines.now, tube->desc.row, &tube->desc.knobs, line))
+    if (!sane_line(line))
+        return;
+    if (!crt_lines_push(&tube->lines, &tube->lines.now, tube->desc.row, &tube->desc.knobs, line))
         tube->lost++;
+    crt_diodes_scan_line(tube->diodes, line, &tube->desc.knobs);
 }
 
 bool crt_tube_intact(const struct crt_tube *tube, struct crt_error *err)
@@ -304,4 +308,5 @@ void crt_tube_advance(struct crt_tube *tube, uint64_t now)
         skip_epochs(tube);
     }
     crt_tube_feed(tube, false, tube->planes.count);
+    crt_diodes_advance(tube->diodes);
 }

@@ -11,6 +11,7 @@
 #include "crt/line_pass.h"
 #include "crt/pass.h"
 #include "crt/penetration.h"
+#include "crt/photodiode.h"
 #include "crt/planes.h"
 #include "crt/pool.h"
 #include "crt/reuse.h"
@@ -28,6 +29,7 @@ struct crt_tube {
     struct crt_pass *pass;
     struct crt_line_pass *line_pass; /* NULL: vector tubes */
     struct crt_film *films;          /* open */
+    struct crt_photodiode *diodes;   /* open */
     uint64_t begin, end;             /* of the running epoch, planes.epoch */
     uint64_t origin, first; /* epoch number `first` began at `origin`, whence epochs are counted */
     uint64_t now;           /* of the last advance */
@@ -51,5 +53,11 @@ void crt_tube_feed(struct crt_tube *tube, bool commit, int late);
 /* When epoch n began, n not before the last crt_tube_set_epoch; and which epoch is at t. */
 uint64_t crt_tube_epoch_time(const struct crt_tube *tube, uint64_t n);
 uint64_t crt_tube_epoch_at(const struct crt_tube *tube, uint64_t t);
+
+/* What planes have at a place, cd/m² per term of the phosphor, and in all cells together, cd·s/m²; both are added
+ * to what is there, at time t of the running epoch. */
+void crt_tube_look_at_planes(const struct crt_tube *tube, double x_mm, double y_mm, uint64_t t,
+                             double cd_m2[CRT_MAX_TERMS]);
+void crt_tube_planes_stored(const struct crt_tube *tube, uint64_t t, double sum[CRT_MAX_TERMS]);
 
 #endif

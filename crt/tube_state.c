@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "crt/line_state.h"
+#include "crt/photodiode_parts.h"
 #include "crt/plan.h"
 #include "crt/tube_parts.h"
 
@@ -252,6 +253,8 @@ void crt_tube_state(struct crt_tube *tube, struct crt_state *s)
     if (tube->line_pass)
         crt_lines_state(tube, s);
     crt_state_end(s);
+    if (s->loading)
+        crt_diodes_restart(tube->diodes, s->failed);
 }
 
 struct crt_tube_times crt_tube_times(const struct crt_tube *tube)

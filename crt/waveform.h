@@ -36,4 +36,17 @@ void crt_waveform_measure(struct crt_photodiode *diode, uint64_t t0, uint64_t t1
  * their intervals over the window, weighted by light; 0 when nothing comes again. */
 double crt_waveform_repeats_hz(const struct crt_photodiode *diode, uint64_t t0, uint64_t t1);
 
+/* Luminances, all colours, at n instants t0 + i·(t1 − t0)/n, rounded to ps. */
+void crt_waveform_sample(struct crt_photodiode *diode, uint64_t t0, uint64_t t1, size_t n,
+                         double *cd_m2);
+uint64_t crt_waveform_time(uint64_t t0, uint64_t t1, size_t n, size_t i);
+
+/* For plots: the least and the greatest luminance within each of n equal parts of [t0, t1): a peak is seen
+ * however short it is. */
+struct crt_waveform_range {
+    double least, most;
+};
+void crt_waveform_ranges(struct crt_photodiode *diode, uint64_t t0, uint64_t t1, size_t n,
+                         struct crt_waveform_range *range);
+
 #endif

@@ -35,12 +35,13 @@ bool vm_capture_closeup(struct vm_capture *c, struct crt_error *err)
 }
 
 /* The microscope's grid on the one tube it looks at. */
-static bool plan_closeup(struct vm_capture *c, const struct vm_machine *m, struct crt_error *err)
+static bool plan_closeup(const struct vm_capture *c, struct vm_capture_side *side,
+                         const struct vm_machine *m, struct crt_error *err)
 {
     struct vm_size size = c->o.size.width ? c->o.size : (struct vm_size){960, 720};
-    enum vm_head head = c->view == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR;
-    double most = 2 * c->settings.monitor[head].row.width.value, x, y;
-    if (c->view == VM_VIEW_BOTH)
+    enum vm_head head = side->view == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR;
+    double most = 2 * side->settings.monitor[head].row.width.value, x, y;
+    if (side->view == VM_VIEW_BOTH)
         return crt_fail(err,
                         "--closeup looks at one tube, and %s uses both; give --view vector or "
                         "--view raster",
@@ -48,7 +49,7 @@ static bool plan_closeup(struct vm_capture *c, const struct vm_machine *m, struc
     if (c->closeup.width_mm > most)
         return crt_fail(err, "--closeup: %g mm is more than this tube has; give at most %g",
                         c->closeup.width_mm, most);
-    double coarsest = crt_spot_sigma0(&c->settings.monitor[head].row) / CRT_LEAST_SIGMA;
+    double coarsest = crt_spot_sigma0(&side->settings.monitor[head].row) / CRT_LEAST_SIGMA;
     if (c->closeup.width_mm > coarsest * size.width)
         return crt_fail(
             err,
@@ -56,153 +57,256 @@ static bool plan_closeup(struct vm_capture *c, const struct vm_machine *m, struc
             "at most %.3g mm, or a --size of %.0f or more across",
             c->closeup.width_mm, size.width, coarsest * size.width,
             ceil(c->closeup.width_mm / coarsest / 8) * 8);
-    vm_view_place(c->view, m, c->closeup.x, c->closeup.y, &x, &y);
-    c->tubes.desc[head].grid = crt_grid_closeup(x, y, c->closeup.width_mm, size.width, size.height);
-    c->tubes.desc[head].microscope = true;
+    vm_view_place(side->view, m, c->closeup.x, c->closeup.y, &x, &y);
+    side->tubes.desc[head].grid =
+        crt_grid_closeup(x, y, c->closeup.width_mm, size.width, size.height);
+    side->tubes.desc[head].microscope = true;
     return true;
 }
 
 /* A head that is to be looked at, and has not been used although the other one has. */
-static bool check_use(const struct vm_capture *c, const struct vm_machine *m, struct crt_error *err)
+static bool check_use(const struct vm_capture *c, enum vm_view view, const struct vm_machine *m,
+                      struct crt_error *err)
 {
     bool vector = vm_machine_uses_vector(m), raster = vm_machine_uses_raster(m);
     if (c->o.allow_dark || c->input.is_recording)
         return true;
-    if (c->view == VM_VIEW_VECTOR && !vector && raster)
+    if (view == VM_VIEW_VECTOR && !vector && raster)
         return crt_fail(err, "%s draws on the raster head alone by then; give --view raster",
                         c->input.name);
-    return c->view != VM_VIEW_RASTER || raster ||
+    return view != VM_VIEW_RASTER || raster ||
            crt_fail(err, "%s has not switched the raster head on by then; choose a later moment%s",
                     c->input.name, vector ? ", or --view vector" : "");
 }
 
 /* Which heads, by what tubes, how long. */
-static int plan_view(struct vm_capture *c, const struct vm_machine *m, struct crt_error *err)
+static int plan_view(const struct vm_capture *c, struct vm_capture_side *side,
+                     const struct vm_machine *m, struct crt_error *err)
 {
-    c->view = vm_view_now(c->settings.view, m);
-    if (!check_use(c, m, err))
+    side->view = vm_view_now(side->settings.view, m);
+    if (!check_use(c, side->view, m, err))
         return VM_EXIT_TROUBLE;
-    c->tubes = vm_settings_tubes(&c->settings, c->view);
+    side->tubes = vm_settings_tubes(&side->settings, side->view);
     if (c->o.buffer)
-        c->tubes.heads = 0;
-    c->shots.exposure = vm_view_exposure(c->view, m);
-    return !c->o.closeup || plan_closeup(c, m, err) ? VM_EXIT_OK : VM_EXIT_USAGE;
+        side->tubes.heads = 0;
+    side->exposure = c->step ? 0 : vm_view_exposure(side->view, m);
+    return !c->o.closeup || plan_closeup(c, side, m, err) ? VM_EXIT_OK : VM_EXIT_USAGE;
 }
 
-/* The sequence's instants, or the one moment. */
+/* ---- instants -----------------------------------------------------------------------------------
+ */
+
+/* The sequence's instants: those with from + n/fps < to. */
 static bool plan_sequence(struct vm_capture *c, struct crt_error *err)
 {
     const struct vm_capture_options *o = &c->o;
-    uint64_t to;
-    if (!vm_time_ps(&o->from, c->settings.tick, &c->shots.from, err) ||
-        !vm_time_ps(&o->to, c->settings.tick, &to, err))
+    struct crt_rate tick = c->side[0].settings.tick;
+    uint64_t from, to;
+    if (!vm_time_ps(&o->from, tick, &from, err) || !vm_time_ps(&o->to, tick, &to, err))
         return false;
-    if (to <= c->shots.from)
+    if (to <= from)
         return crt_fail(err, "--to must be later than --from");
-    c->shots.fps = o->fps.num ? o->fps : c->settings.tick;
-    /* The pictures with from + n/fps < to. */
-    c->shots.count = crt_tick_at(c->shots.fps, to - c->shots.from - 1) + 1;
-    if (c->shots.count > 1000000)
+    c->fps = o->fps.num ? o->fps : tick;
+    uint64_t count = crt_tick_at(c->fps, to - from - 1) + 1;
+    if (count > 1000000)
         return crt_fail(err, "that would be %llu pictures; shorten the sequence or lower --fps",
-                        (unsigned long long)c->shots.count);
+                        (unsigned long long)count);
+    if (!vm_shots_init(&c->shots, count, err))
+        return false;
+    vm_shots_at_rate(&c->shots, from, c->fps);
     return true;
 }
 
-static int plan_exposure(struct vm_capture *c, struct crt_error *err)
+static uint64_t last_instant(const struct vm_capture *c)
 {
-    const struct vm_capture_options *o = &c->o;
-    if (o->exposure.given) {
-        if (!vm_time_ps(&o->exposure, c->settings.tick, &c->shots.exposure, err))
-            return VM_EXIT_USAGE;
-        if (c->shots.exposure == 0) {
-            crt_fail(err, "--exposure: no light is gathered in no time; give a time above zero");
-            return VM_EXIT_USAGE;
-        }
-        if (!c->sequence && c->shots.exposure > c->shots.from) {
-            char moment[32];
-            vm_format_time(c->shots.from, moment, sizeof moment);
-            crt_fail(err,
-                     "--exposure would begin before power-on, as the moment is %s; shorten it or "
-                     "choose a later moment with --at",
-                     moment);
-            return VM_EXIT_USAGE;
-        }
+    return c->shots.shot[c->shots.count - 1].at;
+}
+
+static void run_to(struct vm_capture *c, struct vm_machine *m, uint64_t until)
+{
+    vm_progress_begin(&c->progress);
+    vm_progress_run(&c->progress, m, until);
+    vm_progress_end(&c->progress);
+}
+
+/* The steps from `moment` on; a machine that has run further is of no use for that. */
+static int plan_steps(struct vm_capture *c, struct vm_rig *rig, uint64_t moment,
+                      struct crt_error *err)
+{
+    if (rig->machine->now > moment) {
+        vm_rig_close(rig);
+        if (!vm_rig_open(rig, &c->side[0].settings, &c->input, DF_TIMING_VALUE, NULL, err) ||
+            !vm_saved_load(&c->o.saved, rig, &c->side[0].settings, &c->input, err))
+            return VM_EXIT_TROUBLE;
     }
-    if (c->loaded && c->shots.from < c->loaded + c->shots.exposure) {
+    run_to(c, rig->machine, moment);
+    return vm_capture_steps(c, rig->machine, err);
+}
+
+/* Runs the left side's machine through all instants, which it finds where events say them. */
+static int find_instants(struct vm_capture *c, struct vm_rig *rig, struct crt_error *err)
+{
+    uint64_t moment;
+    if (c->sequence && !c->step) {
+        run_to(c, rig->machine, last_instant(c));
+        return VM_EXIT_OK;
+    }
+    int status = vm_moment_find(rig, &c->o.moment, &c->side[0].settings, &c->input, &moment, err);
+    if (status == VM_EXIT_OK && c->step)
+        return plan_steps(c, rig, moment, err);
+    if (!vm_shots_init(&c->shots, 1, err))
+        return VM_EXIT_TROUBLE;
+    c->shots.shot[0] = (struct vm_shot){moment, moment};
+    return status;
+}
+
+/* ---- exposure -----------------------------------------------------------------------------------
+ */
+
+static int usage(bool ok)
+{
+    return ok ? VM_EXIT_OK : VM_EXIT_USAGE;
+}
+
+static bool take_exposure(const struct vm_capture *c, struct vm_capture_side *side,
+                          struct crt_error *err)
+{
+    uint64_t first = c->shots.shot[0].at;
+    if (!side->o.exposure.given)
+        return true;
+    if (!vm_time_ps(&side->o.exposure, side->settings.tick, &side->exposure, err))
+        return false;
+    if (side->exposure == 0)
+        return crt_fail(err, "--exposure: no light is gathered in no time; give a time above zero");
+    if (!c->sequence && side->exposure > first) {
+        char moment[32];
+        vm_format_time(first, moment, sizeof moment);
+        return crt_fail(err,
+                        "--exposure would begin before power-on, as the moment is %s; shorten it "
+                        "or choose a later moment with --at",
+                        moment);
+    }
+    return true;
+}
+
+static int plan_exposure(const struct vm_capture *c, struct vm_capture_side *side,
+                         struct crt_error *err)
+{
+    const struct vm_shot *first = &c->shots.shot[0];
+    if (!take_exposure(c, side, err))
+        return VM_EXIT_USAGE;
+    uint64_t opens = side->exposure ? first->at - (first->at < side->exposure ? 0 : side->exposure)
+                                    : first->begin;
+    if (side->loaded && (opens < side->loaded || first->at < side->exposure)) {
         char loaded[32], moment[32];
-        vm_format_time(c->loaded, loaded, sizeof loaded);
-        vm_format_time(c->shots.from, moment, sizeof moment);
+        vm_format_time(side->loaded, loaded, sizeof loaded);
+        vm_format_time(first->at, moment, sizeof moment);
         crt_fail(err,
                  "the machine of --load-state is as of %s; a picture at %s would gather light from "
                  "before that: choose a later moment, or a shorter --exposure",
                  loaded, moment);
         return VM_EXIT_USAGE;
     }
-    if (vm_shots_overlap(&c->shots) > VM_OVERLAP_MAX) {
-        crt_fail(err, "the exposure overlaps more than %d pictures; shorten it or lower --fps",
-                 VM_OVERLAP_MAX);
-        return VM_EXIT_USAGE;
-    }
-    return VM_EXIT_OK;
+    return usage(vm_shots_overlap(&c->shots, side->exposure) <= VM_OVERLAP_MAX ||
+                 crt_fail(err, "the exposure overlaps more than %d pictures; shorten it or %s",
+                          VM_OVERLAP_MAX, c->step ? "take longer steps" : "lower --fps"));
 }
 
 /* A picture of one tick shows little of a refresh that takes many, as on a slow tube. */
-static void hint_at_exposure(const struct vm_capture *c, const struct vm_machine *m)
+static void hint_at_exposure(const struct vm_capture *c, const struct vm_capture_side *side,
+                             const struct vm_machine *m)
 {
     char refresh[32], tick[32];
     uint64_t length = m->refreshes.last.end - m->refreshes.last.begin;
-    if (c->sequence || c->o.exposure.given || c->o.moment.at.given || c->input.is_recording ||
-        length <= 2 * c->shots.exposure)
+    if (c->sequence || side->o.exposure.given || c->o.moment.at.given || c->input.is_recording ||
+        length <= 2 * side->exposure)
         return;
     vm_format_time(length, refresh, sizeof refresh);
-    vm_format_time(c->shots.exposure, tick, sizeof tick);
+    vm_format_time(side->exposure, tick, sizeof tick);
     fprintf(stderr,
             "kinescope capture: a refresh takes %s here and the picture gathers the last %s of "
             "it; --exposure %.0fms gathers all\n",
             refresh, tick, ceil((double)length / (double)CRT_PS_PER_MS));
 }
 
-int vm_capture_plan(struct vm_capture *c, struct crt_error *err)
+/* ---- all ----------------------------------------------------------------------------------------
+ */
+
+/* Whether the program is in trouble where the pictures are; `late`: its moment has not come. */
+static int check_trouble(const struct vm_capture *c, struct vm_machine *m, bool late,
+                         struct crt_error *err)
+{
+    struct crt_error trouble;
+    /* A program that has not lit the beam yet may still do so, after its first sync tick. */
+    if (m->strokes == 0 && !vm_machine_uses_raster(m))
+        vm_machine_run(m, VM_SETTLED_PS);
+    enum vm_trouble found = vm_find_trouble(m, &c->input, &trouble);
+    /* What firmware is waited for may come before its first light. */
+    if (!found || (found == VM_TROUBLE_DARK && late && c->input.has_firmware))
+        return late ? VM_EXIT_TIMEOUT : VM_EXIT_OK;
+    if (!c->o.allow_dark || late) {
+        *err = trouble;
+        return VM_EXIT_TROUBLE;
+    }
+    fprintf(stderr, "kinescope capture: %s\n", trouble.text);
+    return VM_EXIT_OK;
+}
+
+static int plan_run(struct vm_capture *c, struct vm_capture_side *side, struct vm_rig *rig,
+                    struct crt_error *err)
+{
+    int status = VM_EXIT_OK;
+    if (!vm_saved_load(&c->o.saved, rig, &side->settings, &c->input, err))
+        return VM_EXIT_TROUBLE;
+    side->loaded = rig->machine->now;
+    if (side == &c->side[0])
+        status = find_instants(c, rig, err);
+    else
+        run_to(c, rig->machine, last_instant(c));
+    bool late = status == VM_EXIT_TIMEOUT;
+    if (status == VM_EXIT_OK || late)
+        status = check_trouble(c, rig->machine, late, err);
+    if (status == VM_EXIT_OK)
+        status = plan_view(c, side, rig->machine, err);
+    if (status == VM_EXIT_OK)
+        hint_at_exposure(c, side, rig->machine);
+    return status;
+}
+
+static int plan_side(struct vm_capture *c, struct vm_capture_side *side, struct crt_error *err)
 {
     struct vm_rig rig;
-    struct crt_error trouble;
-    int status = VM_EXIT_OK;
-    if (c->sequence && !plan_sequence(c, err))
-        return VM_EXIT_USAGE;
-    if (!vm_rig_open(&rig, &c->settings, &c->input, DF_TIMING_VALUE, NULL, err))
+    if (!vm_rig_open(&rig, &side->settings, &c->input, DF_TIMING_VALUE, NULL, err))
         return VM_EXIT_TROUBLE;
-    if (!vm_saved_load(&c->o.saved, &rig, &c->settings, &c->input, err)) {
-        vm_rig_close(&rig);
-        return VM_EXIT_TROUBLE;
-    }
-    c->loaded = rig.machine->now;
-    if (c->sequence) {
-        vm_progress_begin(&c->progress);
-        vm_progress_run(&c->progress, rig.machine,
-                        c->shots.from + crt_tick_time(c->shots.fps, c->shots.count - 1));
-        vm_progress_end(&c->progress);
-    } else {
-        c->shots.count = 1;
-        status = vm_moment_find(&rig, &c->o.moment, &c->settings, &c->input, &c->shots.from, err);
-    }
-    bool late = status == VM_EXIT_TIMEOUT, ran = status == VM_EXIT_OK || late;
-    /* A program that has not lit the beam yet may still do so, after its first sync tick. */
-    if (ran && rig.machine->strokes == 0 && !vm_machine_uses_raster(rig.machine))
-        vm_machine_run(rig.machine, VM_SETTLED_PS);
-    enum vm_trouble found = ran ? vm_find_trouble(rig.machine, &c->input, &trouble) : VM_NO_TROUBLE;
-    /* What firmware is waited for may come before its first light. */
-    if (found && !(found == VM_TROUBLE_DARK && late && c->input.has_firmware)) {
-        if (!c->o.allow_dark || late) {
-            *err = trouble;
-            status = VM_EXIT_TROUBLE;
-        } else {
-            fprintf(stderr, "kinescope capture: %s\n", trouble.text);
-        }
-    }
-    if (status == VM_EXIT_OK)
-        status = plan_view(c, rig.machine, err);
-    if (status == VM_EXIT_OK)
-        hint_at_exposure(c, rig.machine);
+    int status = plan_run(c, side, &rig, err);
     vm_rig_close(&rig);
-    return status ? status : plan_exposure(c, err);
+    return status;
+}
+
+/* As many pictures as the sheet has places. */
+static void choose_for_sheet(struct vm_capture *c)
+{
+    uint64_t most = (uint64_t)c->places.width * (uint64_t)c->places.height;
+    for (uint64_t n = 0; c->word && n < most && n < c->shots.count; n++)
+        c->word[n] = c->word[vm_shots_chosen(n, c->shots.count, most)];
+    c->all = c->shots.count;
+    vm_shots_choose(&c->shots, most);
+}
+
+int vm_capture_plan(struct vm_capture *c, struct crt_error *err)
+{
+    int status = VM_EXIT_OK;
+    struct crt_error why;
+    if (c->sequence && !c->step && !plan_sequence(c, err))
+        return VM_EXIT_USAGE;
+    for (int i = 0; i < c->sides && status == VM_EXIT_OK; i++) {
+        status = plan_side(c, &c->side[i], &why);
+        if (status == VM_EXIT_OK && i == 0 && c->places.width)
+            choose_for_sheet(c);
+        if (status == VM_EXIT_OK)
+            status = plan_exposure(c, &c->side[i], &why);
+        if (status != VM_EXIT_OK)
+            crt_fail(err, "%s%.490s", i ? "--versus: " : "", why.text);
+    }
+    return status;
 }

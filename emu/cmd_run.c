@@ -11,9 +11,9 @@
 #include "emu/view.h"
 
 struct options {
-    bool headless, console, full_screen, gdb_anywhere, tour, latency;
+    bool headless, console, full_screen, gdb_anywhere, tour, latency, no_flash;
     const char *gdb, *record;
-    struct vm_time length;
+    struct vm_time length, shutter;
     struct vm_size size;
     double scale;
     struct vm_saved_options saved;
@@ -46,6 +46,13 @@ static const struct vm_option rows[] = {
      0, 0},
     {"time-scale", 0, VM_OPT_REAL, ROW(scale), "X",
      "simulated seconds a second, 1e-6 to 10; F7 and F8 change it", 1e-6, 10},
+    {"shutter", 0, VM_OPT_TIME, ROW(shutter), "T",
+     "how long the light of a picture has been gathered, 1us to 1s, whatever the time scale; "
+     "default "
+     "the time that a picture stands for; Right Ctrl E with Up, Down changes it",
+     0, 0},
+    {"no-flash", 0, VM_OPT_FLAG, ROW(no_flash), "",
+     "show the mean light of the last second, so that nothing flashes", 0, 0},
     {"size", 0, VM_OPT_SIZE, ROW(size), "WxH", "size of the window; default fits the monitor", 0,
      0},
     {"full-screen", 0, VM_OPT_FLAG, ROW(full_screen), "", "begin on the full screen", 0, 0},
@@ -144,6 +151,18 @@ static bool window_has_use(const struct options *o, const char *path, struct crt
     return ok;
 }
 
+static bool shutter_of(const struct options *o, struct crt_rate tick, uint64_t *shutter,
+                       struct crt_error *err)
+{
+    if (!o->shutter.given)
+        return true;
+    if (!vm_time_ps(&o->shutter, tick, shutter, err))
+        return false;
+    return (*shutter >= CRT_PS_PER_US && *shutter <= VM_SHUTTER_MOST) ||
+           crt_fail(err, "--shutter: give a time of 1us to 1s; without it a picture gathers the "
+                         "light of the time that it stands for");
+}
+
 /* `path` NULL: the tour. */
 static int run_window(const struct options *o, const char *path)
 {
@@ -152,6 +171,9 @@ static int run_window(const struct options *o, const char *path)
     struct crt_error err;
     /* Options are checked before a window appears. */
     int status = vm_settings_resolve(&o->settings, NULL, NULL, &settings, &err);
+    uint64_t shutter = 0;
+    if (!status && !shutter_of(o, settings.tick, &shutter, &err))
+        status = VM_EXIT_USAGE;
     if (!status)
         status = vm_light_settings(&o->light, &settings, &lights, &err);
     vm_settings_free(&settings);
@@ -168,6 +190,8 @@ static int run_window(const struct options *o, const char *path)
                                 .full_screen = o->full_screen,
                                 .scale = o->scale,
                                 .length = o->length,
+                                .shutter = shutter,
+                                .no_flash = o->no_flash,
                                 .console = o->console,
                                 .saved = &o->saved,
                                 .record = o->record,

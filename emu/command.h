@@ -23,7 +23,7 @@ struct vm_command {
 
 extern const struct vm_command vm_command_run, vm_command_capture, vm_command_asm,
     vm_command_disasm, vm_command_trace, vm_command_list, vm_command_compare, vm_command_measure,
-    vm_command_calc;
+    vm_command_calc, vm_command_probe, vm_command_sweep, vm_command_why, vm_command_lesson;
 
 /* Parses; −1 = go on, else the exit status (help was printed, or the error). At least `least` and
  * at most `most` arguments that are not options. */

@@ -4,37 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "emu/canvas.h"
+#include "emu/hud_parts.h"
 
-#define TEXT_MAX      600
 #define LINES_MAX     16
 #define MARGIN_DOTS   4 /* between a panel and the edge of the window */
-#define PAD_DOTS      5 /* between a panel's edge and its text */
 #define FADE_S        0.6
-#define FADE_LEVELS   16 /* steps in which a message fades: each is a redraw */
-#define HELP_MAX      48
 #define HELP_ROWS_MAX 96
 #define HELP_GAP      3  /* letters between keys and meanings */
 #define HELP_COLUMNS  58 /* longer lines wrap */
 #define HELP_NARROW   28 /* letters that a meaning should have */
 #define HELP_PAD      10 /* dots */
-#define PANEL_ALPHA   190
-
-enum { STATUS, MESSAGE, HELP, RING, PANELS };
-
-struct vm_hud {
-    struct vm_canvas canvas;
-    struct vm_box drawn[PANELS]; /* what each panel covers on the canvas; w = 0: nothing */
-    struct vm_colour ink;
-    char status[TEXT_MAX], message[TEXT_MAX];
-    double message_end;
-    int message_level;                  /* FADE_LEVELS = opaque, 0 = gone; as drawn */
-    double ring_x, ring_y, ring_radius; /* radius 0: none */
-    bool help_shown;
-    char *help[HELP_MAX];
-    size_t help_count;
-    bool stale; /* something changed since the last draw */
-};
+#define PANEL_ALPHA   205
 
 struct vm_hud *vm_hud_create(struct crt_error *err)
 {
@@ -59,16 +39,17 @@ void vm_hud_destroy(struct vm_hud *hud)
     if (!hud)
         return;
     forget_help(hud);
+    free(hud->picture);
     vm_canvas_free(&hud->canvas);
     free(hud);
 }
 
 /* Copies a text that may be NULL or too long; tells whether it is another one. */
-static bool set_text(char to[TEXT_MAX], const char *text)
+static bool set_text(char to[VM_HUD_TEXT], const char *text)
 {
     size_t length = text ? strlen(text) : 0;
-    if (length >= TEXT_MAX)
-        length = TEXT_MAX - 1;
+    if (length >= VM_HUD_TEXT)
+        length = VM_HUD_TEXT - 1;
     bool same = strlen(to) == length && (length == 0 || memcmp(to, text, length) == 0);
     if (length > 0)
         memcpy(to, text, length);
@@ -92,7 +73,7 @@ void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_
     hud->help_shown = shown;
     hud->stale = true;
     forget_help(hud);
-    for (size_t i = 0; i < line_count && i < HELP_MAX; i++) {
+    for (size_t i = 0; i < line_count && i < VM_HUD_HELP; i++) {
         hud->help[i] = strdup(lines[i]);
         if (!hud->help[i])
             break;
@@ -100,14 +81,10 @@ void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_
     }
 }
 
-void vm_hud_ring(struct vm_hud *hud, double x, double y, double radius)
+void vm_hud_help_side(struct vm_hud *hud, enum vm_hud_side side)
 {
-    bool same =
-        radius == hud->ring_radius && (radius == 0 || (x == hud->ring_x && y == hud->ring_y));
-    hud->stale |= !same;
-    hud->ring_x = x;
-    hud->ring_y = y;
-    hud->ring_radius = radius;
+    hud->stale |= hud->help_side != side;
+    hud->help_side = side;
 }
 
 bool vm_hud_help_shown(const struct vm_hud *hud)
@@ -137,8 +114,8 @@ static int smaller(int a, int b)
     return a < b ? a : b;
 }
 
-/* Pixels a dot: 1 below 740 pixels, 2 up to 1279, 4 on a 2160-line monitor. */
-static int dot_size(int width, int height)
+/* 1 below 740 pixels, 2 up to 1279, 4 on a 2160-line monitor. */
+int vm_hud_dot(int width, int height)
 {
     int dot = (smaller(width, height) + 340) / 540;
     return dot > 1 ? dot : 1;
@@ -146,18 +123,17 @@ static int dot_size(int width, int height)
 
 int vm_hud_columns(int width, int height)
 {
-    int dot = dot_size(width, height);
-    return (width - 2 * (MARGIN_DOTS + PAD_DOTS) * dot) / (VM_LETTER_DOTS * dot);
+    int dot = vm_hud_dot(width, height);
+    return (width - 2 * (MARGIN_DOTS + VM_HUD_PAD_DOTS) * dot) / (VM_LETTER_DOTS * dot);
 }
 
 static struct vm_colour faded(struct vm_colour colour, int level)
 {
-    colour.a = (uint8_t)(colour.a * level / FADE_LEVELS);
+    colour.a = (uint8_t)(colour.a * level / VM_HUD_LEVELS);
     return colour;
 }
 
-/* A dark panel with a fine rim of the ink's colour. */
-static void draw_panel(struct vm_hud *hud, int which, struct vm_box box, int dot, int level)
+void vm_hud_draw_panel(struct vm_hud *hud, int which, struct vm_box box, int dot, int level)
 {
     const struct vm_colour dark = {8, 11, 13, PANEL_ALPHA};
     struct vm_colour rim = hud->ink;
@@ -185,8 +161,8 @@ static void draw_line(struct vm_hud *hud, int x, int y, int dot, struct vm_colou
 /* A panel of wrapped text whose bottom lies at `bottom`; returns its top. */
 static int draw_text_panel(struct vm_hud *hud, int which, const char *text, int bottom, int level)
 {
-    int dot = dot_size(hud->canvas.width, hud->canvas.height);
-    int margin = MARGIN_DOTS * dot, pad = PAD_DOTS * dot, letter = VM_LETTER_DOTS * dot;
+    int dot = vm_hud_dot(hud->canvas.width, hud->canvas.height);
+    int margin = MARGIN_DOTS * dot, pad = VM_HUD_PAD_DOTS * dot, letter = VM_LETTER_DOTS * dot;
     int columns = vm_hud_columns(hud->canvas.width, hud->canvas.height);
     int room = (bottom - margin - 2 * pad) / (VM_LINE_DOTS * dot);
     struct vm_line lines[LINES_MAX];
@@ -201,7 +177,7 @@ static int draw_text_panel(struct vm_hud *hud, int which, const char *text, int 
     struct vm_box box = {margin, 0, widest * letter + 2 * pad - dot,
                          (int)count * VM_LINE_DOTS * dot - 2 * dot + 2 * pad};
     box.y = bottom - margin - box.h;
-    draw_panel(hud, which, box, dot, level);
+    vm_hud_draw_panel(hud, which, box, dot, level);
     for (size_t i = 0; i < count; i++)
         draw_line(hud, box.x + pad, box.y + pad + (int)i * VM_LINE_DOTS * dot, dot,
                   faded(hud->ink, level), &lines[i]);
@@ -256,11 +232,13 @@ static void lay_out_help(const struct vm_hud *hud, size_t most, struct help_layo
 /* The largest dots, not above the usual ones, with which the help fits. */
 static int fit_help(const struct vm_hud *hud, struct help_layout *layout)
 {
-    int dot = dot_size(hud->canvas.width, hud->canvas.height);
+    int dot = vm_hud_dot(hud->canvas.width, hud->canvas.height);
     for (;; dot--) {
         int most = (hud->canvas.width - 2 * HELP_PAD * dot) / (VM_LETTER_DOTS * dot);
         lay_out_help(hud, (size_t)(most < 1 ? 1 : smaller(most, HELP_COLUMNS)), layout);
         int height = ((int)layout->rows * VM_LINE_DOTS + 2 * HELP_PAD) * dot;
+        if (dot == 1 && height > hud->canvas.height) /* wider rather than cut off */
+            lay_out_help(hud, (size_t)(most < 1 ? 1 : most), layout);
         if (dot == 1 || (most >= (int)layout->indent + HELP_NARROW && height <= hud->canvas.height))
             return dot;
     }
@@ -274,7 +252,12 @@ static void draw_help(struct vm_hud *hud)
     int w = smaller((int)layout.columns * letter + 2 * pad - dot, hud->canvas.width);
     int h = smaller((int)layout.rows * VM_LINE_DOTS * dot + 2 * pad - 2 * dot, hud->canvas.height);
     struct vm_box box = {(hud->canvas.width - w) / 2, (hud->canvas.height - h) / 2, w, h};
-    draw_panel(hud, HELP, box, dot, FADE_LEVELS);
+    int margin = MARGIN_DOTS * dot;
+    if (hud->help_side == VM_HUD_TOP)
+        box.y = smaller(margin, box.y);
+    if (hud->help_side == VM_HUD_BOTTOM)
+        box.y += box.y > margin ? box.y - margin : 0;
+    vm_hud_draw_panel(hud, VM_PANEL_HELP, box, dot, VM_HUD_LEVELS);
     for (size_t i = 0; i < layout.rows; i++) {
         const struct help_row *row = &layout.row[i];
         int x = box.x + pad, y = box.y + pad + (int)i * VM_LINE_DOTS * dot;
@@ -286,49 +269,21 @@ static void draw_help(struct vm_hud *hud)
     }
 }
 
-/* ---- ring --------------------------------------------------------------------------------------- */
-
-#define RING_WIDTH 1.6   /* pixels */
-#define RING_MOST  400.0 /* pixels: a larger one is drawn so large */
-
-/* Smooth edges: each pixel is covered as far as its centre is from the middle of the line. */
-static void draw_ring(struct vm_hud *hud)
-{
-    double r = fmin(hud->ring_radius, RING_MOST), reach = r + RING_WIDTH + 1;
-    int left = (int)fmax(floor(hud->ring_x - reach), 0);
-    int top = (int)fmax(floor(hud->ring_y - reach), 0);
-    int right = smaller((int)ceil(hud->ring_x + reach), hud->canvas.width);
-    int bottom = smaller((int)ceil(hud->ring_y + reach), hud->canvas.height);
-    if (right <= left || bottom <= top)
-        return;
-    for (int y = top; y < bottom; y++)
-        for (int x = left; x < right; x++) {
-            double away = fabs(hypot(x + 0.5 - hud->ring_x, y + 0.5 - hud->ring_y) - r);
-            double cover = fmin(fmax(RING_WIDTH / 2 + 0.5 - away, 0), 1);
-            struct vm_colour ink = hud->ink;
-            ink.a = (uint8_t)(200 * cover);
-            if (ink.a > 0)
-                vm_canvas_fill(&hud->canvas, (struct vm_box){x, y, 1, 1}, ink);
-        }
-    hud->drawn[RING] = (struct vm_box){left, top, right - left, bottom - top};
-}
-
 /* ---- all of it ------------------------------------------------------------------------------- */
 
 static void redraw(struct vm_hud *hud)
 {
     const struct vm_colour clear = {0, 0, 0, 0};
-    for (int i = 0; i < PANELS; i++) {
+    for (int i = 0; i < VM_PANELS; i++) {
         vm_canvas_fill(&hud->canvas, hud->drawn[i], clear);
         hud->drawn[i] = (struct vm_box){0, 0, 0, 0};
     }
     int bottom = hud->canvas.height;
-    if (hud->ring_radius > 0)
-        draw_ring(hud);
+    vm_hud_draw_marks(hud);
     if (hud->status[0])
-        bottom = draw_text_panel(hud, STATUS, hud->status, bottom, FADE_LEVELS);
+        bottom = draw_text_panel(hud, VM_PANEL_STATUS, hud->status, bottom, VM_HUD_LEVELS);
     if (hud->message[0] && hud->message_level > 0)
-        draw_text_panel(hud, MESSAGE, hud->message, bottom, hud->message_level);
+        draw_text_panel(hud, VM_PANEL_MESSAGE, hud->message, bottom, hud->message_level);
     if (hud->help_shown && hud->help_count > 0)
         draw_help(hud);
 }
@@ -336,7 +291,7 @@ static void redraw(struct vm_hud *hud)
 static int message_level(const struct vm_hud *hud, double now)
 {
     double left = (hud->message_end - now) / FADE_S;
-    return hud->message[0] ? (int)ceil(fmin(fmax(left, 0), 1) * FADE_LEVELS) : 0;
+    return hud->message[0] ? (int)ceil(fmin(fmax(left, 0), 1) * VM_HUD_LEVELS) : 0;
 }
 
 const uint8_t *vm_hud_draw(struct vm_hud *hud, int width, int height, double now, bool *changed)
@@ -354,7 +309,7 @@ const uint8_t *vm_hud_draw(struct vm_hud *hud, int width, int height, double now
         redraw(hud);
         *changed = true;
     }
-    for (int i = 0; i < PANELS; i++)
+    for (int i = 0; i < VM_PANELS; i++)
         if (hud->drawn[i].w > 0)
             return hud->canvas.rgba;
     return NULL;

@@ -20,6 +20,7 @@
 #include <stdint.h>
 
 #include "crt/error.h"
+#include "crt/image.h"
 
 struct vm_hud;
 
@@ -39,10 +40,29 @@ void vm_hud_message(struct vm_hud *hud, const char *text, double now, double sec
 /* The help panel. A line "KEY\tmeaning" is set in two columns, a line without a tab is a heading.
  */
 void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_t line_count);
+/* Where the panel lies from now on. */
+enum vm_hud_side { VM_HUD_MIDDLE, VM_HUD_TOP, VM_HUD_BOTTOM };
+void vm_hud_help_side(struct vm_hud *hud, enum vm_hud_side side);
 bool vm_hud_help_shown(const struct vm_hud *hud);
 
-/* A circle, window pixels from the top left: what a light pen sees. Radius 0: none. */
+/* Marks, window pixels from the top left; radius 0: none. What a light pen sees is a circle, the place of the
+ * beam a cross with an open middle, a photodiode
+ * and a place asked about both. */
+enum vm_hud_mark {
+    VM_MARK_PEN,
+    VM_MARK_BEAM,
+    VM_MARK_BEAM_RASTER,
+    VM_MARK_DIODE,
+    VM_MARK_ASKED, /* about */
+    VM_HUD_MARKS
+};
+void vm_hud_mark(struct vm_hud *hud, enum vm_hud_mark which, double x, double y, double radius);
+/* The pen's. */
 void vm_hud_ring(struct vm_hud *hud, double x, double y, double radius);
+
+/* A picture of 8 bits in the upper right corner and a text under it, copied; NULL: none. Not shown where it
+ * does not fit. */
+void vm_hud_picture(struct vm_hud *hud, const struct crt_image *image, const char *caption);
 
 /* The colour of the text, 0…255 sRGB: the tube's phosphor. Mixed with white until it is legible. */
 void vm_hud_tint(struct vm_hud *hud, int red, int green, int blue);

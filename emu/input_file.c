@@ -183,6 +183,7 @@ static bool load_firmware(struct vm_input *in, const char *path, struct crt_erro
     in->image = vm_read_file(path, "program", MAX_FILE, &length, err);
     if (!in->image)
         return false;
+    in->image_size = length;
     vm_base_name(path, name, sizeof name);
     in->has_firmware = vm_elf_parse(&in->elf, name, (const uint8_t *)in->image, length, err);
     if (in->has_firmware)

@@ -38,6 +38,7 @@ struct vm_input {
     struct df_program program; /* words NULL: there is no display file */
     struct vm_elf elf;         /* the firmware, when it has some; it lies in `image` */
     char *image;
+    size_t image_size; /* bytes */
     char *typed; /* malloced, typed_length bytes; NULL: nothing */
     size_t typed_length;
     struct inp_script script; /* what a person does; count 0: nothing */

@@ -67,6 +67,8 @@ struct vm_hooks {
     /* An act reaches the devices, or one of them has something for the program. May be NULL. */
     void (*act)(void *ctx, const struct inp_act *act);
     void (*input)(void *ctx, uint64_t t, const struct inp_unit *unit);
+    /* A scan line goes to the raster tube, its pixels just read. With a raster tube. May be NULL. */
+    void (*scan)(void *ctx, const struct crt_scan_line *line);
     const struct ras_hooks *raster;   /* signals of the raster head; may be NULL */
     const struct rv_hooks *processor; /* each instruction; may be NULL */
 };
@@ -99,6 +101,9 @@ struct vm_interrupt {
     uint64_t change; /* when the line takes the level of `pending`; VM_NEVER: it has it */
 };
 
+/* A word draws no more strokes than this: a vector across the screen, dot by dot, has fewer. */
+#define VM_STROKES_KEPT 256
+
 #define VM_NEVER    UINT64_MAX
 #define VM_NO_ENTRY 0xFFFFFFFFu
 
@@ -119,6 +124,9 @@ struct vm_machine {
     uint64_t tick_time;                /* of the next one */
     uint64_t strokes, lit, last_light; /* pieces drawn; beam-on time; end of the last piece */
     uint64_t stops, last_stop;         /* stop words executed; when the last was done */
+    struct crt_stroke
+        recent[VM_STROKES_KEPT]; /* the last strokes, by number modulo that; no part of the
+                                                  machine's state, forgotten when one is loaded */
     uint64_t bells;
     uint64_t marks; /* marks set by the program */
     uint32_t mark;  /* the last one's number */
@@ -165,6 +173,18 @@ bool vm_machine_run_end(struct vm_machine *m, uint64_t limit); /* the firmware e
 bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t limit);
 /* m->dpu.words is `words`; what else happens when the last one is fetched has happened, too. */
 bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit);
+
+/* One more stroke of the vector head (a lit piece of the beam's path) is over; a word may have many. */
+bool vm_machine_run_stroke(struct vm_machine *m, uint64_t limit);
+/* The raster head's next line begins, blanked ones too: one visible, in blanking, or the first of a new
+ * timing. */
+bool vm_machine_run_line(struct vm_machine *m, uint64_t limit);
+
+/* The stroke under way, or the last one that is over; NULL: there is none, or it was drawn before a state
+ * was loaded. */
+const struct crt_stroke *vm_machine_stroke(const struct vm_machine *m);
+/* Where the vector head's beam was last lit, head units; lit: it is now. False: not known. */
+bool vm_machine_beam(const struct vm_machine *m, double *x, double *y, bool *lit);
 
 /* The knobs of a head's monitor, from now on: its tube's, and of what a pen at it sees. */
 void vm_machine_turn(struct vm_machine *m, enum inp_screen screen, struct crt_knobs knobs);

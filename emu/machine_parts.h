@@ -4,6 +4,7 @@
  *      machine_wires.c strokes, interrupt lines,    machine_bus.c   registers on the processor's bus
  *                      START and refreshes         machine_state.c snapshots
  *      machine_raster.c the raster head's wires and registers
+ *      machine_steps.c strokes and lines to step by
  *      machine_devices.c acts, input devices, their wires and registers
  *
  * Models:     see emu/machine.h.
@@ -53,6 +54,11 @@ void vm_devices_connect(struct vm_machine *m);
 uint64_t vm_devices_next(const struct vm_machine *m);
 void vm_devices_event(struct vm_machine *m, uint64_t t);
 void vm_devices_state(struct vm_machine *m, struct crt_state *s);
+
+/* machine_run.c, for machine_steps.c: strokes have been delivered, of which the first may be over later;
+ * the raster head was switched on or off, or began a new timing. True when it came before `limit`. */
+bool vm_run_drawn(struct vm_machine *m, uint64_t limit);
+bool vm_run_timing(struct vm_machine *m, uint64_t limit);
 
 /* machine_bus.c: adds the machine's ranges to the board's bus. */
 void vm_bus_connect(struct vm_machine *m);

@@ -12,6 +12,8 @@ static void scan_line(void *ctx, const struct crt_scan_line *line)
         crt_tube_scan_line(m->desc.raster_tube, line);
     if (m->looks[INP_RASTER])
         inp_unit_line(&m->devices, line);
+    if (m->hooks.scan)
+        m->hooks.scan(m->hooks.ctx, line);
 }
 
 const unsigned vm_raster_lines[RAS_INT_COUNT] = {

@@ -11,13 +11,16 @@ enum goal_kind {
     GOAL_RETIRED,
     GOAL_CONSOLE,
     GOAL_MARK,
-    GOAL_END
+    GOAL_END,
+    GOAL_DRAWN,
+    GOAL_TIMING
 };
 
 struct goal {
     enum goal_kind kind;
     uint64_t count; /* what is counted must pass it, or come to it: see reached() */
     uint32_t mark;
+    bool on; /* the raster head was */
 };
 
 struct run {
@@ -148,6 +151,10 @@ static bool reached(const struct vm_machine *m, const struct goal *g)
         return m->marks > g->count && m->mark == g->mark;
     case GOAL_END:
         return processor_ended(m);
+    case GOAL_DRAWN:
+        return m->strokes > g->count;
+    case GOAL_TIMING:
+        return m->raster.on != g->on || m->raster.origin != g->count;
     }
     return false;
 }
@@ -337,7 +344,7 @@ static void run(struct vm_machine *m, struct run *r)
 
 static bool run_to(struct vm_machine *m, uint64_t limit, enum goal_kind kind, uint64_t count)
 {
-    struct run r = {.until = limit, .goal = {kind, count, 0}};
+    struct run r = {.until = limit, .goal = {kind, count, 0, false}};
     run(m, &r);
     return r.came;
 }
@@ -388,7 +395,7 @@ bool vm_machine_run_console(struct vm_machine *m, uint64_t limit)
 
 bool vm_machine_run_mark(struct vm_machine *m, uint32_t mark, uint64_t limit)
 {
-    struct run r = {.until = limit, .goal = {GOAL_MARK, m->marks, mark}};
+    struct run r = {.until = limit, .goal = {GOAL_MARK, m->marks, mark, false}};
     run(m, &r);
     return r.came;
 }
@@ -406,6 +413,18 @@ bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t lim
 bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit)
 {
     return run_to(m, limit, GOAL_WORDS, words);
+}
+
+bool vm_run_drawn(struct vm_machine *m, uint64_t limit)
+{
+    return run_to(m, limit, GOAL_DRAWN, m->strokes);
+}
+
+bool vm_run_timing(struct vm_machine *m, uint64_t limit)
+{
+    struct run r = {.until = limit, .goal = {GOAL_TIMING, m->raster.origin, 0, m->raster.on}};
+    run(m, &r);
+    return r.came;
 }
 
 void vm_machine_step(struct vm_machine *m)

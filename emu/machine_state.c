@@ -1,5 +1,7 @@
 /* A machine in a snapshot: time, counts, what a refresh is, display memory, display processor; and
  * the board with its console where there is one. */
+#include <string.h>
+
 #include "emu/machine_parts.h"
 #include "emu/memmap.h"
 
@@ -231,6 +233,7 @@ void vm_machine_state(struct vm_machine *m, struct crt_state *s)
     crt_state_end(s);
     if (!s->loading || s->failed)
         return;
+    memset(m->recent, 0, sizeof m->recent);
     m->tick_time = crt_tick_time(m->desc.tick, m->ticks);
     m->advanced = m->desc.tube ? m->now : 0;
     m->raster_advanced = m->desc.raster_tube ? m->now : 0;

@@ -14,7 +14,7 @@ struct vm_counts vm_counts(const struct vm_machine *m)
 
 void vm_count_stroke(struct vm_machine *m, const struct crt_stroke *stroke)
 {
-    m->strokes++;
+    m->recent[m->strokes++ % VM_STROKES_KEPT] = *stroke;
     m->lit += stroke->t1 - stroke->t0;
     m->last_light = stroke->t1;
     if (m->desc.tube)

@@ -5,9 +5,10 @@
 #include "emu/command.h"
 
 static const struct vm_command *const commands[] = {
-    &vm_command_run,     &vm_command_capture, &vm_command_asm,
-    &vm_command_disasm,  &vm_command_trace,   &vm_command_list,
-    &vm_command_compare, &vm_command_measure, &vm_command_calc,
+    &vm_command_run,    &vm_command_capture, &vm_command_asm,     &vm_command_disasm,
+    &vm_command_trace,  &vm_command_list,    &vm_command_compare, &vm_command_measure,
+    &vm_command_calc,   &vm_command_probe,   &vm_command_sweep,   &vm_command_why,
+    &vm_command_lesson,
 };
 #define COMMANDS (sizeof commands / sizeof *commands)
 

@@ -14,33 +14,60 @@
  * tube, the faceplate just to be seen; estimate. */
 #define DEFAULT_ROOM 0.005
 
+/* Where the brightest light is shown with --gain peak, as `auto` does a full-drive line. */
+#define PEAK 0.8
+
 /* Below half a step of 8-bit sRGB (1/255/12.92/2 in linear light) every sample is 0. */
 #define BLACK 1.5e-4
 
 const struct vm_option vm_light_rows[VM_LIGHT_ROWS] = {
-    {"gain", 0, VM_OPT_STRING, ROW(gain), "auto|xN|N",
-     "how bright light is shown: auto (a full-drive line at 0.8 of white), x2 twice that, or N per "
-     "cd/m2",
+    {"gain", 0, VM_OPT_STRING, ROW(gain), "auto|xN|N|peak",
+     "how bright light is shown: auto (a full-drive line at 0.8 of white), x2 twice that, N per "
+     "cd/m2, or of captures peak (what is brightest in all pictures at 0.8 of white), peakx4 four "
+     "times that",
      0, 0},
     {"room", 0, VM_OPT_REAL, ROW(room), "CD/M2",
      "room light on the unlit glass, 0 = dark room; default 0.005 of a full-drive line", 0, 1e4},
 };
 
+/* --gain: `relative` to auto, or to the peak. */
+struct gain {
+    bool relative, by_peak;
+    double value;
+};
+
+static bool parse_gain(const struct vm_light_options *o, struct gain *gain, struct crt_error *err)
+{
+    struct crt_error why;
+    const char *text = o->gain && strcmp(o->gain, "auto") != 0 ? o->gain : "x1";
+    *gain = (struct gain){.by_peak = strncmp(text, "peak", 4) == 0, .value = 1};
+    if (gain->by_peak && !o->by_peak)
+        return crt_fail(err, "--gain peak is for kinescope capture, which knows its pictures "
+                             "beforehand; give auto, x2 (twice auto) or a number per cd/m2");
+    if (strcmp(text, "peak") == 0)
+        text = "peakx1";
+    if (gain->by_peak && text[4] != 'x')
+        return crt_fail(err, "--gain: '%.60s' is not peak or peakx2 (twice that)", text);
+    text += gain->by_peak ? 4 : 0;
+    gain->relative = text[0] == 'x';
+    return vm_parse_real(text + gain->relative, 1e-9, 1e9, &gain->value, &why) ||
+           crt_fail(err, "--gain: %.300s; give auto, x2 (twice auto)%s or a number per cd/m2",
+                    why.text, o->by_peak ? ", peak, peakx2" : "");
+}
+
 int vm_light_settings(const struct vm_light_options *o, const struct vm_settings *s,
                       struct vm_lights *lights, struct crt_error *err)
 {
-    struct crt_error why;
-    double value = 1;
-    bool given = o->gain && strcmp(o->gain, "auto") != 0, relative = given && o->gain[0] == 'x';
-    if (given && !vm_parse_real(o->gain + relative, 1e-9, 1e9, &value, &why)) {
-        crt_fail(err, "--gain: %.300s; give auto, x2 (twice auto) or a number per cd/m2", why.text);
+    struct gain gain;
+    if (!parse_gain(o, &gain, err))
         return 2;
-    }
+    lights->by_peak = gain.by_peak;
+    lights->times = gain.value;
     for (int h = 0; h < VM_HEADS; h++) {
         const struct crt_tube_row *row = &s->monitor[h].row;
         double room = DEFAULT_ROOM * crt_full_luminance(row), automatic = crt_auto_gain(row);
         lights->head[h] =
-            (struct crt_glass_settings){.gain = !given || relative ? value * automatic : value,
+            (struct crt_glass_settings){.gain = gain.value * (gain.relative ? automatic : 1),
                                         .room_cd_m2 = o->room < 0 ? room : o->room,
                                         .halation = row->halation.value,
                                         .face_radius_mm = row->face_radius.value};
@@ -48,6 +75,13 @@ int vm_light_settings(const struct vm_light_options *o, const struct vm_settings
             crt_mask_init(&lights->head[h].mask, row);
     }
     return 0;
+}
+
+void vm_light_peaks(struct vm_lights *lights, const double cd_m2[VM_HEADS])
+{
+    for (int h = 0; h < VM_HEADS; h++)
+        if (cd_m2[h] > 0)
+            lights->head[h].gain = lights->times * PEAK / cd_m2[h];
 }
 
 void vm_light_microscope(const struct vm_light_options *o, const struct vm_settings *s,
@@ -166,6 +200,22 @@ bool vm_frame_is_black(const struct vm_frame *frame, const struct vm_lights *lig
         if ((frame->heads >> h & 1) && !film_is_black(&frame->film[h], lights->head[h].gain))
             return false;
     return true;
+}
+
+double vm_frame_peak(const struct vm_frame *frame, enum vm_head head)
+{
+    const struct crt_film *film = &frame->film[head];
+    if (!(frame->heads >> head & 1))
+        return 0;
+    size_t cells = (size_t)film->grid.cols * (size_t)film->grid.rows;
+    float most = 0;
+    for (size_t i = 0; i < cells; i++) {
+        float light = 0;
+        for (int c = 0; c < film->colours; c++)
+            light += film->light[c][i];
+        most = light > most ? light : most;
+    }
+    return (double)most * (double)CRT_PS_PER_S / (double)(film->t1 - film->t0);
 }
 
 /* Width to height of the glass. */

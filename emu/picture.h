@@ -17,7 +17,8 @@
 
 struct vm_light_options {
     const char *gain;
-    double room; /* below zero: the default */
+    double room;  /* below zero: the default */
+    bool by_peak; /* --gain peak can be had here */
 };
 
 #define VM_LIGHT_ROWS 2
@@ -26,9 +27,14 @@ extern const struct vm_option vm_light_rows[VM_LIGHT_ROWS];
 /* Gain and glass settings for each tube; an exit status (2: --gain is not understood). */
 struct vm_lights {
     struct crt_glass_settings head[VM_HEADS];
+    bool by_peak; /* the gains wait for vm_light_peaks() */
+    double times; /* what is asked for, of auto or of peak */
 };
 int vm_light_settings(const struct vm_light_options *options, const struct vm_settings *settings,
                       struct vm_lights *lights, struct crt_error *err);
+
+/* Gains that show these luminances, cd/m², at 0.8 of white; 0: as it is. */
+void vm_light_peaks(struct vm_lights *lights, const double cd_m2[VM_HEADS]);
 
 /* Under a microscope a mask shows: what light there is, is in few places, and as many times brighter as
  * those are few. `auto` gain, and what is relative to it, goes down by that. */
@@ -56,6 +62,9 @@ bool vm_studio_picture(struct vm_studio *studio, const struct vm_frame *frame,
  * The caller frees the image. */
 bool vm_buffer_picture(const struct vm_machine *machine, int depth, struct crt_image *image,
                        struct crt_error *err);
+
+/* The greatest mean luminance of a cell of that head's film, cd/m²; 0: it has none. */
+double vm_frame_peak(const struct vm_frame *frame, enum vm_head head);
 
 /* True when no sample of the picture would differ from black. */
 bool vm_frame_is_black(const struct vm_frame *frame, const struct vm_lights *lights);

@@ -67,6 +67,18 @@ int vm_settings_resolve(const struct vm_settings_options *options,
                         struct vm_settings *settings, struct crt_error *err);
 void vm_settings_free(struct vm_settings *settings);
 
+/* What --set can name, for suggestions: at most `most` names; how many. A figure may have "vector." or
+ * "raster." before it. */
+size_t vm_settings_keys(const char **names, size_t most);
+bool vm_settings_is_key(const char *key, size_t length);
+/* What a key of --set stands at: a number and its unit ("" for none), or a name. */
+struct vm_setting {
+    double number;
+    const char *unit, *name;
+};
+bool vm_settings_value(const struct vm_settings *settings, const char *key,
+                       struct vm_setting *value);
+
 /* The number in front of a figure's unit, or a time where the unit is one. */
 bool vm_figure_value(const char *text, const char *unit, double *value, struct crt_error *err);
 

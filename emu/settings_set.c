@@ -45,17 +45,43 @@ bool vm_figure_value(const char *text, const char *unit, double *value, struct c
     return vm_parse_real(number, -1e9, 1e9, value, err);
 }
 
-static bool no_such_key(const char *name, struct crt_error *err)
+size_t vm_settings_keys(const char **names, size_t most)
 {
 #define X(field, unit, meaning) #field,
-    const char *names[200] = {CRT_TUBE_FIGURES(X) "memory", "dpu.average", "brightness", "contrast",
-                              "focus"};
+    static const char *const own[] = {CRT_TUBE_FIGURES(X) "memory", "dpu.average", "brightness",
+                                      "contrast", "focus"};
 #undef X
     size_t count = 0;
-    while (names[count])
-        count++;
-    for (unsigned i = 0; inp_setup_key(i) && count < sizeof names / sizeof *names; i++)
+    for (size_t i = 0; i < sizeof own / sizeof *own && count < most; i++)
+        names[count++] = own[i];
+    for (unsigned i = 0; inp_setup_key(i) && count < most; i++)
         names[count++] = inp_setup_key(i);
+    return count;
+}
+
+/* Without the head's name. */
+static const char *bare(const char *key)
+{
+    bool head = strncmp(key, "vector.", 7) == 0 || strncmp(key, "raster.", 7) == 0;
+    return head ? key + 7 : key;
+}
+
+bool vm_settings_is_key(const char *key, size_t length)
+{
+    const char *names[300];
+    size_t count = vm_settings_keys(names, 300);
+    const char *name = length > 7 ? bare(key) : key;
+    length -= (size_t)(name - key);
+    for (size_t i = 0; i < count; i++)
+        if (strlen(names[i]) == length && strncmp(names[i], name, length) == 0)
+            return true;
+    return false;
+}
+
+static bool no_such_key(const char *name, struct crt_error *err)
+{
+    const char *names[300];
+    size_t count = vm_settings_keys(names, 300);
     const char *near = vm_nearest(name, names, count);
     if (near)
         return crt_fail(err, "there is no '%.60s' to set; did you mean %s?", name, near);
@@ -185,5 +211,48 @@ bool vm_settings_set(struct vm_settings *s, const struct vm_list *set, struct cr
     for (int h = 0; h < VM_HEADS; h++)
         if (!crt_tube_check(&s->monitor[h].row, &why))
             return crt_fail(err, "--set: %.400s", why.text);
+    return true;
+}
+
+/* ---- what is set --------------------------------------------------------------------------------
+ */
+
+/* The head whose monitor shows what a key stands at: as set_one() chooses it. */
+static enum vm_head head_shown(const struct vm_settings *s, const char *key)
+{
+    enum vm_head head;
+    struct crt_error err;
+    const char *name = bare(key);
+    unsigned named = name == key ? VM_VIEW_BOTH : key[0] == 'v' ? VM_VIEW_VECTOR : VM_VIEW_RASTER;
+    return head_for(s, named, name, &head, &err) ? head
+           : named == VM_VIEW_BOTH               ? s->main
+           : named == VM_VIEW_RASTER             ? VM_RASTER
+                                                 : VM_VECTOR;
+}
+
+bool vm_settings_value(const struct vm_settings *s, const char *key, struct vm_setting *value)
+{
+    double low, high;
+    struct vm_monitor monitor = s->monitor[head_shown(s, key)];
+    struct inp_setup setup = s->setup;
+    const char *name = bare(key);
+    *value = (struct vm_setting){0, "", NULL};
+    const double *knob = knob_of(&monitor.knobs, name, &low, &high);
+    const struct crt_figure *figure =
+        knob ? NULL : crt_tube_figure(&monitor.row, name, &value->unit);
+    if (!knob && !figure)
+        figure = inp_setup_figure(&setup, key, &value->unit, NULL);
+    if (strcmp(key, "memory") == 0)
+        *value = (struct vm_setting){s->memory_bytes / 1024.0, "K", NULL};
+    else if (strcmp(key, "dpu.average") == 0)
+        *value = (struct vm_setting){(double)s->average_ps / (double)CRT_PS_PER_US, "us", NULL};
+    else if (knob)
+        value->number = *knob;
+    else if (figure)
+        value->number = figure->value;
+    else
+        return false;
+    if (strcmp(value->unit, "1") == 0)
+        value->unit = "";
     return true;
 }

@@ -41,7 +41,7 @@ static double frame_seconds(struct vm_show *show, double now)
 }
 
 /* Runs the machine to `until`, or as far as a debugger lets it. */
-static void run_machine(struct vm_show *show, uint64_t until)
+void vm_show_run(struct vm_show *show, uint64_t until)
 {
     struct vm_machine *m = show->program->rig.machine;
     struct vm_gdb *gdb = show->desc->gdb;
@@ -54,26 +54,6 @@ static void run_machine(struct vm_show *show, uint64_t until)
         show->quit |= vm_gdb_killed(gdb);
     }
     vm_machine_run(m, until);
-}
-
-/* The same with the films open. */
-static void expose(struct vm_show *show, uint64_t until)
-{
-    struct vm_machine *m = show->program->rig.machine;
-    struct vm_frame *frame = &show->program->frame, before = *frame;
-    uint64_t from = m->now;
-    if (until <= from)
-        return;
-    vm_frame_open(frame, &show->program->rig, from, until);
-    run_machine(show, until);
-    show->film_ready = vm_frame_end(frame, &show->program->rig);
-    if (show->film_ready) {
-        vm_show_develop(show);
-    } else if (m->now <= from) { /* it stands, or has gone back: what was gathered before stays */
-        vm_frame_cancel(frame, &show->program->rig);
-        *frame = before;
-        show->film_ready = vm_frame_complete(frame);
-    }
 }
 
 /* When the next refresh is complete, found on a copy of the machine that has no tube. */
@@ -106,7 +86,7 @@ static void skip_idle(struct vm_show *show)
     for (int ticks = 0; ticks < 100 && !only_raster(m) && (m->has_program || m->desc.board) &&
                         m->dpu.state != DF_RUNNING;
          ticks++)
-        expose(show, m->tick_time + 1);
+        vm_show_expose(show, m->tick_time + 1);
 }
 
 static void run_frame(struct vm_show *show, double now)
@@ -121,14 +101,14 @@ static void run_frame(struct vm_show *show, double now)
         /* A refresh that has begun is finished first, so that a whole one is seen. */
         if (m->refreshes.running && m->refreshes.current.begin < m->now)
             vm_machine_run_refresh(m, m->now + CRT_PS_PER_S);
-        expose(show, next_refresh(show));
+        vm_show_expose(show, next_refresh(show));
     } else if (!show->paused) {
         double ps = seconds * show->scale * (double)CRT_PS_PER_S + show->remainder_ps;
         uint64_t whole = (uint64_t)ps;
         show->remainder_ps = ps - (double)whole;
-        expose(show, m->now + whole);
+        vm_show_expose(show, m->now + whole);
     } else if (show->desc->gdb) {
-        run_machine(show, m->now); /* the debugger may ask */
+        vm_show_run(show, m->now); /* the debugger may ask */
     }
     uint64_t length;
     struct crt_error err;
@@ -221,8 +201,12 @@ static void loop(struct vm_show *show)
         vm_show_hand_flush(show);
         double now = vm_window_time();
         look_after_program(show, now);
+        double before = show->last_time;
         run_frame(show, now);
+        vm_show_calm(show, now - before);
         vm_show_note(show);
+        vm_show_scope_watch(show);
+        vm_show_scope(show, now);
         vm_show_status(show, now);
         vm_show_draw(show, now);
         measure_latency(show);
@@ -254,6 +238,7 @@ static bool open_all(struct vm_show *show, struct crt_error *err)
 static void close_all(struct vm_show *show)
 {
     vm_terminal_close(&show->terminal);
+    vm_show_scope_close(show);
     vm_show_close(show->program);
     if (show->hud)
         vm_hud_destroy(show->hud);
@@ -288,6 +273,8 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
     if (ok) {
         show->desc = desc;
         show->scale = desc->scale;
+        show->shutter = desc->shutter;
+        show->no_flash = desc->no_flash;
         show->rom = -1;
         show->unit = VM_UNIT_REFRESH;
         show->touring = desc->path == NULL;
@@ -297,7 +284,7 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
     if (ok)
         ok = show->touring ? vm_show_tour(show, 1, err) : vm_show_open(show, desc->path, NULL, err);
     if (ok) {
-        vm_show_say(show, "F1 help");
+        vm_show_welcome(show);
         show->recording = desc->record != NULL;
         show->last_time = vm_window_time();
         loop(show);

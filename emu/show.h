@@ -17,13 +17,16 @@
 
 #include "emu/debug/gdb_server.h"
 #include "emu/debug/gdb_past.h"
+#include "emu/calm.h"
 #include "emu/debug/history.h"
 #include "emu/hud.h"
 #include "emu/frame.h"
 #include "emu/hand.h"
+#include "emu/lab/probe.h"
 #include "emu/picture.h"
 #include "emu/roms.h"
 #include "emu/saved.h"
+#include "emu/sliding.h"
 #include "emu/terminal.h"
 #include "emu/view.h"
 #include "emu/window.h"
@@ -37,6 +40,8 @@ struct vm_show_desc {
     struct vm_size size; /* 0: fits the monitor */
     bool full_screen;
     double scale;          /* simulated seconds a second */
+    uint64_t shutter;      /* ps; 0: the time that a picture stands for */
+    bool no_flash;         /* mean light, nothing that flashes */
     struct vm_time length; /* close after this much simulated time, when given */
     bool console;          /* firmware's console is stdin and stdout */
     const struct vm_saved_options *saved;
@@ -49,7 +54,18 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err);
 
 /* ---- shared by the files of the show; nobody else uses what follows ----------------------- */
 
-enum vm_knob { VM_KNOB_BRIGHTNESS, VM_KNOB_CONTRAST, VM_KNOB_FOCUS };
+enum vm_knob { /* what Up and Down turn; the first three are the monitors' */
+               VM_KNOB_BRIGHTNESS,
+               VM_KNOB_CONTRAST,
+               VM_KNOB_FOCUS,
+               VM_KNOB_SHUTTER,
+               VM_KNOB_GAIN
+};
+
+#define VM_SHUTTER_MOST CRT_PS_PER_S
+
+/* When it is shown where the beam is. */
+enum vm_where_shown { VM_WHERE_SLOW, VM_WHERE_ALWAYS, VM_WHERE_NEVER };
 
 /* What belongs to one program; its parts point at each other, so it stays where it was made. */
 struct vm_shown {
@@ -57,10 +73,29 @@ struct vm_shown {
     struct vm_settings settings;
     struct vm_lights lights;
     struct vm_rig rig;
-    struct vm_frame frame;
-    struct vm_history *history; /* NULL: no memory for it, or there is nothing to step by */
-    struct vm_gdb_past past;    /* a debugger's way to it */
-    uint64_t from;              /* when the show of it began: later than 0 with --load-state */
+    struct vm_frame frame;         /* what was gathered last */
+    struct vm_frame piece;         /* of a long exposure: its last step */
+    struct vm_sliding *sliding;    /* NULL: none so far */
+    struct vm_calm *calm;          /* with desc->no_flash; NULL: none so far */
+    const struct vm_frame *calmed; /* what it shows */
+    struct vm_history *history;    /* NULL: no memory for it, or there is nothing to step by */
+    struct vm_gdb_past past;       /* a debugger's way to it */
+    uint64_t from;                 /* when the show of it began: later than 0 with --load-state */
+};
+
+#define VM_SCOPE_PAST (CRT_PS_PER_S / 4) /* what an oscilloscope is shown again after a step */
+
+/* A photodiode and its oscilloscope (show_scope.c); it stays where it is from program to program. */
+struct vm_scope {
+    bool in_hand; /* the mouse's click places it */
+    bool placed;
+    enum crt_photodiode_kind kind;
+    enum vm_head head;
+    double x_mm, y_mm;
+    struct vm_probe probe;         /* zero: not on a tube */
+    struct vm_probe_report report; /* known: of the last look */
+    bool known;
+    double next; /* host time of the next look */
 };
 
 struct vm_show {
@@ -89,6 +124,18 @@ struct vm_show {
     enum vm_unit unit;         /* of steps */
     double speed, speed_since; /* measured: simulated seconds a second */
     uint64_t speed_from;
+
+    uint64_t shutter; /* ps; 0: the time that a picture stands for */
+    bool gain_auto;   /* goes down as exposures get short */
+    int gain;         /* power of two, when not */
+
+    struct vm_scope scope;
+    bool why_shown; /* a panel that any key closes, about a place */
+    enum vm_head why_head;
+    double why_x_mm, why_y_mm;
+    enum vm_where_shown where;
+    bool no_flash; /* the mean light of the last second is shown */
+    bool warned;   /* of flashes of this program */
 
     struct crt_knobs knobs;
     enum vm_knob knob;
@@ -134,15 +181,87 @@ bool vm_show_tour(struct vm_show *show, int step, struct crt_error *err);
 
 /* show_draw.c: the frame to the glasses; both to the window; a picture of the window. */
 void vm_show_develop(struct vm_show *show);
+void vm_show_upload(
+    struct vm_show *show); /* of vm_show_frame(); without looking which view it is */
 void vm_show_draw(struct vm_show *show, double now);
 bool vm_show_picture(struct vm_show *show, struct crt_image *image, struct crt_error *err);
 /* F2: the next view. */
 void vm_show_next_view(struct vm_show *show);
 
+/* show.c: runs the machine to `until`, or as far as a debugger lets it. */
+void vm_show_run(struct vm_show *show, uint64_t until);
+
+/* show_shutter.c: runs to `until` and has the light that falls within the shutter's time before it shown. */
+void vm_show_expose(struct vm_show *show, uint64_t until);
+/* How long the picture after a step gathers light: the shutter's time; else a tick, in slow motion as much less, so
+ * that after small steps the same is seen as in between. */
+uint64_t vm_show_exposure(const struct vm_show *show);
+/* What is shown: what was gathered, or without flashes. And that it has been looked at for `seconds`. */
+const struct vm_frame *vm_show_frame(const struct vm_show *show);
+void vm_show_calm(struct vm_show *show, double seconds);
+void vm_show_turn_shutter(struct vm_show *show, int direction);
+void vm_show_say_shutter(struct vm_show *show);
+/* The head looked at, of two the vector head. */
+int vm_show_main_head(const struct vm_show *show);
+/* Of what a head shows: a power of two; as "x1/32". */
+int vm_show_gain(const struct vm_show *show, int head);
+void vm_show_describe_gain(int gain, char *text, size_t size);
+void vm_show_toggle_gain(struct vm_show *show);
+void vm_show_turn_gain(struct vm_show *show, int direction);
+
+/* show_where.c: the window pixel at which a place on a head's screen is shown, and the scale there; false: it
+ * is not. */
+bool vm_show_window_place(const struct vm_show *show, int head, double x_mm, double y_mm, double *x,
+                          double *y, double *mm_per_pixel);
+/* At rest, or so slow that an eye can follow the beam. */
+bool vm_show_is_slow(const struct vm_show *show);
+/* The mark at the beam's place; lines for the status, each after a line feed; the time with the digits that
+ * move; Right Ctrl M. */
+void vm_show_mark_beam(struct vm_show *show);
+void vm_show_describe_where(const struct vm_show *show, char *text, size_t size);
+void vm_show_describe_time(const struct vm_show *show, char *text, size_t size);
+void vm_show_next_where(struct vm_show *show);
+
+/* show_honest.c: at the start; once the rate is known; Right Ctrl L. */
+void vm_show_welcome(struct vm_show *show);
+void vm_show_warn(struct vm_show *show);
+void vm_show_toggle_flash(struct vm_show *show);
+/* How often a second a monitor of `host` Hz flashes, between 3 and 30 Hz, when it shows a screen lit
+ * `refresh_hz` times a second so much slower; shutter 0: as long as a picture stands for. 0: it does not. */
+double vm_show_flash_hz(const struct crt_phosphor *phosphor, double refresh_hz, double scale,
+                        double shutter_s, double host);
+
+/* show_scope.c: F4, Right Ctrl A; F9 while it is in hand: true, and it is not any more. */
+void vm_show_scope_key(struct vm_show *show);
+void vm_show_scope_area(struct vm_show *show);
+bool vm_show_scope_let_go(struct vm_show *show);
+/* A mouse event that is the photodiode's: true. */
+bool vm_show_scope_event(struct vm_show *show, const struct vm_event *event);
+/* After the machine has run; what is seen of it; before the tubes go. */
+void vm_show_scope_watch(struct vm_show *show);
+void vm_show_scope(struct vm_show *show, double now);
+void vm_show_mark_diode(struct vm_show *show);
+void vm_show_scope_close(struct vm_show *show);
+/* Beside the screenshot `name` (without .png): the plot and the figures. */
+bool vm_show_scope_save(struct vm_show *show, const char *name, struct crt_error *err);
+
+/* show_why.c: a click with Right Ctrl, or what closes its panel: true. */
+bool vm_show_why_event(struct vm_show *show, const struct vm_event *event);
+void vm_show_mark_asked(struct vm_show *show);
+
 void vm_show_event(struct vm_show *show, const struct vm_event *event);
 /* show_hands.c: a mouse's or key's event becomes what a person does; after the last of a frame, flush. */
 void vm_show_hand_event(struct vm_show *show, const struct vm_event *event);
 void vm_show_hand_flush(struct vm_show *show);
+/* Which screen a window pixel shows, and where. */
+struct vm_spot {
+    bool on; /* a screen */
+    enum vm_head head;
+    double x_mm, y_mm; /* from its middle */
+};
+struct vm_spot vm_show_spot(const struct vm_show *show, double x, double y);
+/* What the hand held for the program it lets go. */
+void vm_show_take_away(struct vm_show *show);
 /* F9; and for a program that has just been opened. */
 void vm_show_next_hand(struct vm_show *show);
 void vm_show_first_hand(struct vm_show *show);
@@ -162,7 +281,10 @@ void vm_show_status(struct vm_show *show, double now);
 /* show_step.c: steps of show->unit, back (−1) and forward (1); the machine stands there, paused, and the
  * light of the tick that ends there is shown. */
 void vm_show_step(struct vm_show *show, int direction);
+/* At rest: what led here once more, for who has just begun to look. */
+void vm_show_look_again(struct vm_show *show);
 void vm_show_next_unit(struct vm_show *show);
+void vm_show_check_unit(struct vm_show *show); /* of another program */
 /* Remembers the run as it goes; what came from outside; that it begins anew. */
 void vm_show_note(struct vm_show *show);
 void vm_show_mark(struct vm_show *show);

@@ -38,14 +38,8 @@ void vm_show_do(struct vm_show *show, struct inp_act act)
 /* ---- places -------------------------------------------------------------------------------------
  */
 
-struct spot {
-    bool on; /* a screen */
-    enum vm_head head;
-    double x_mm, y_mm; /* from its middle */
-};
-
 static bool pick(const struct vm_show *show, enum vm_head head, struct vm_size size, double x,
-                 double y, struct spot *spot)
+                 double y, struct vm_spot *spot)
 {
     spot->head = head;
     spot->on = crt_glass_pick(show->glass[head], &show->program->lights.head[head], size.width,
@@ -54,9 +48,9 @@ static bool pick(const struct vm_show *show, enum vm_head head, struct vm_size s
 }
 
 /* Which screen a window pixel shows, and where. */
-static struct spot spot_at(const struct vm_show *show, double x, double y)
+struct vm_spot vm_show_spot(const struct vm_show *show, double x, double y)
 {
-    struct spot spot = {0};
+    struct vm_spot spot = {0};
     struct vm_size window, size[VM_HEADS];
     vm_window_size(show->window, &window.width, &window.height);
     if (window.width <= 0 || window.height <= 0)
@@ -82,7 +76,7 @@ static int32_t um(double mm)
 /* ---- one hand after the other -------------------------------------------------------------------
  */
 
-static void move_pen(struct vm_show *show, const struct spot *spot)
+static void move_pen(struct vm_show *show, const struct vm_spot *spot)
 {
     struct inp_act act = {.device = INP_PEN,
                           .verb = spot->on ? INP_MOVE : INP_AWAY,
@@ -98,7 +92,7 @@ static void move_pen(struct vm_show *show, const struct spot *spot)
 }
 
 /* Where the program takes the place on the screen to be (emu/hand.h). */
-static void move_stylus(struct vm_show *show, const struct spot *spot)
+static void move_stylus(struct vm_show *show, const struct vm_spot *spot)
 {
     const struct inp_tablet_setup *tablet = &show->program->settings.setup.tablet;
     struct inp_act act = {.device = INP_TABLET, .verb = INP_AWAY};
@@ -120,7 +114,7 @@ static void move_stylus(struct vm_show *show, const struct spot *spot)
 }
 
 /* A finger is on the panel while the button is held. */
-static void move_finger(struct vm_show *show, const struct spot *spot)
+static void move_finger(struct vm_show *show, const struct vm_spot *spot)
 {
     enum vm_head head = (enum vm_head)show->program->settings.setup.touch.screen;
     bool touches = spot->on && spot->head == head && (show->pressed & 1);
@@ -148,7 +142,7 @@ static void move_mouse(struct vm_show *show, double x, double y)
 
 static void move(struct vm_show *show, double x, double y)
 {
-    struct spot spot = spot_at(show, x, y);
+    struct vm_spot spot = vm_show_spot(show, x, y);
     if (show->hand == VM_HAND_PEN)
         move_pen(show, &spot);
     else if (show->hand == VM_HAND_STYLUS)
@@ -195,9 +189,9 @@ static void let_go(struct vm_show *show)
             press(show, number[i], false);
 }
 
-static void take_away(struct vm_show *show)
+void vm_show_take_away(struct vm_show *show)
 {
-    static const struct spot nowhere = {0};
+    static const struct vm_spot nowhere = {0};
     let_go(show);
     if (show->hand == VM_HAND_PEN)
         move_pen(show, &nowhere);
@@ -232,11 +226,13 @@ void vm_show_next_hand(struct vm_show *show)
     const struct inp_setup *setup = &show->program->settings.setup;
     char text[80];
     enum vm_hand hand = show->hand;
+    if (vm_show_scope_let_go(show))
+        return;
     for (int i = 0; i < VM_HANDS; i++) {
         hand = (enum vm_hand)((hand + 1) % VM_HANDS);
         if (!vm_hand_present(hand, setup))
             continue;
-        take_away(show);
+        vm_show_take_away(show);
         take_up(show, hand);
         snprintf(text, sizeof text, "the mouse is a %s - F9", vm_hand_title(hand));
         vm_show_say(show, text);
@@ -249,8 +245,8 @@ bool vm_show_ring(const struct vm_show *show, double *x, double *y, double *radi
 {
     if (show->hand != VM_HAND_PEN || !show->hand_there)
         return false;
-    struct spot here = spot_at(show, show->mouse_x, show->mouse_y);
-    struct spot beside = spot_at(show, show->mouse_x + 8, show->mouse_y);
+    struct vm_spot here = vm_show_spot(show, show->mouse_x, show->mouse_y);
+    struct vm_spot beside = vm_show_spot(show, show->mouse_x + 8, show->mouse_y);
     if (!here.on || !beside.on || beside.head != here.head)
         return false;
     double pitch = hypot(beside.x_mm - here.x_mm, beside.y_mm - here.y_mm) / 8;
@@ -281,6 +277,8 @@ void vm_show_turn(struct vm_show *show, enum vm_head head)
 void vm_show_hand_event(struct vm_show *show, const struct vm_event *event)
 {
     show->event_time = event->time;
+    if (vm_show_scope_event(show, event))
+        return;
     if (event->kind == VM_EVENT_TEXT) {
         vm_show_text_event(show, event->u.text.character);
         return;
@@ -302,7 +300,7 @@ void vm_show_hand_event(struct vm_show *show, const struct vm_event *event)
     case VM_EVENT_FOCUS:
         if (!event->u.focus.gained) {
             vm_show_release_keys(show);
-            take_away(show);
+            vm_show_take_away(show);
         }
         break;
     default:

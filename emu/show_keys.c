@@ -13,6 +13,7 @@ static const char *const help[] = {
     "kinescope",
     "F1\tthis help",
     "F2\tvector head, raster head, both",
+    "F4\tphotodiode and oscilloscope: a click places it; F4 puts it away",
     "F5\tpause, go on",
     "F6\tone refresh, then pause",
     "F7 F8\tslower, faster (Shift: by ten), down to a millionth: single strokes of the beam",
@@ -20,11 +21,17 @@ static const char *const help[] = {
     "F11\tfull screen",
     "F12\tscreenshot",
     "Right Ctrl with",
+    "click\twhy: what put the light there, with its share, word and line of the source",
+    "A\twhat the photodiode sees: a point, a disc, the whole screen",
     "B C F\tchoose brightness, contrast or focus",
-    "Up Down\tturn the chosen knob",
+    "E\tchoose the shutter: auto, 1 us to 1 s",
+    "G\tgain that follows the shutter, or as bright as it is",
+    "Up Down\tturn what was chosen",
     "0\tall knobs neutral",
     "Left Right\tstep back, step forward, and pause",
-    "W\tchoose what steps are: a refresh, a display word, an instruction",
+    "W\tchoose what steps are: refresh, display word, instruction, beam stroke, scan line",
+    "M\twhere the beam is, as text and mark: in slow motion, always, never",
+    "L\tmean light of the last second: nothing flashes",
     "S\tskip the dark time to the next refresh (for slow motion)",
     "R\tload the file again (it is loaded when it changes, too)",
     "1\treal time again",
@@ -45,7 +52,7 @@ static void set_scale(struct vm_show *show, double scale)
     show->remainder_ps = 0;
     show->speed_since = 0;
     if (show->scale < 1)
-        snprintf(text, sizeof text, "%g times slower than real time", round(1 / show->scale));
+        snprintf(text, sizeof text, "%.0f times slower than real time", 1 / show->scale);
     else
         snprintf(text, sizeof text, "%g x real time", show->scale);
     vm_show_say(show, text);
@@ -106,7 +113,7 @@ static void set_knobs(struct vm_show *show)
             vm_show_turn(show, (enum vm_head)h);
 }
 
-static void turn_knob(struct vm_show *show, int direction)
+static void turn_monitor(struct vm_show *show, int direction)
 {
     static const double steps[] = {0.02, 0.05, 0.1}, low[] = {-1, 0, 0}, high[] = {1, 4, 4};
     const char *name;
@@ -120,9 +127,22 @@ static void turn_knob(struct vm_show *show, int direction)
     say_knob(show);
 }
 
+static void turn_knob(struct vm_show *show, int direction)
+{
+    if (show->knob == VM_KNOB_SHUTTER)
+        vm_show_turn_shutter(show, direction);
+    else if (show->knob == VM_KNOB_GAIN)
+        vm_show_turn_gain(show, direction);
+    else
+        turn_monitor(show, direction);
+}
+
 static void reset_knobs(struct vm_show *show)
 {
     show->knobs = (struct crt_knobs){0, 1, 0};
+    show->shutter = 0;
+    show->gain = 0;
+    show->gain_auto = false;
     show->knobs_touched = true;
     set_knobs(show);
     vm_show_mark(show);
@@ -147,9 +167,10 @@ static void screenshot(struct vm_show *show)
     bool ok = vm_show_picture(show, &image, &err);
     if (ok) {
         ok = vm_picture_write(name, &image, show->program->input.name, &show->program->settings,
-                              show->view_drawn, &show->program->frame, &err);
+                              show->view_drawn, vm_show_frame(show), &err);
         crt_image_free(&image);
     }
+    ok = ok && vm_show_scope_save(show, name, &err);
     snprintf(text, sizeof text, "screenshot %s", name);
     vm_show_say(show, ok ? text : err.text);
 }
@@ -167,6 +188,9 @@ static void tour(struct vm_show *show, int direction)
 static void chord(struct vm_show *show, enum vm_key key)
 {
     switch ((int)key) {
+    case 'A':
+        vm_show_scope_area(show);
+        break;
     case 'B':
     case 'C':
     case 'F':
@@ -174,6 +198,20 @@ static void chord(struct vm_show *show, enum vm_key key)
                      : key == 'C' ? VM_KNOB_CONTRAST
                                   : VM_KNOB_FOCUS;
         say_knob(show);
+        break;
+    case 'E':
+        show->knob = VM_KNOB_SHUTTER;
+        vm_show_say_shutter(show);
+        break;
+    case 'G':
+        show->knob = VM_KNOB_GAIN;
+        vm_show_toggle_gain(show);
+        break;
+    case 'M':
+        vm_show_next_where(show);
+        break;
+    case 'L':
+        vm_show_toggle_flash(show);
         break;
     case VM_KEY_UP:
     case VM_KEY_DOWN:
@@ -218,6 +256,9 @@ static void function_key(struct vm_show *show, int f, unsigned modifiers)
         break;
     case 2:
         vm_show_next_view(show);
+        break;
+    case 4:
+        vm_show_scope_key(show);
         break;
     case 5:
         toggle_pause(show);
@@ -264,6 +305,8 @@ static bool is_guests(const struct vm_show *show, const struct vm_event *event)
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event)
 {
+    if (vm_show_why_event(show, event))
+        return;
     switch (event->kind) {
     case VM_EVENT_CLOSE:
         show->quit = true;

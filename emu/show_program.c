@@ -60,6 +60,9 @@ void vm_show_close(struct vm_shown *program)
 {
     if (!program)
         return;
+    vm_calm_destroy(program->calm);
+    vm_sliding_destroy(program->sliding);
+    vm_frame_free(&program->piece);
     vm_frame_free(&program->frame);
     vm_history_destroy(program->history);
     vm_rig_close(&program->rig);
@@ -124,7 +127,7 @@ static void begin_measuring(struct vm_show *show)
 {
     show->remainder_ps = show->rate_hz = show->speed = show->speed_since = 0;
     show->rate_number = show->rate_end = show->speed_from = 0;
-    show->trouble_shown = false;
+    show->trouble_shown = show->warned = false;
 }
 
 /* A record is of one program. */
@@ -148,6 +151,7 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
     if (!program)
         return false;
     end_record(show);
+    vm_show_scope_close(show);
     vm_show_close(show->program);
     show->program = program;
     vm_show_first_hand(show);
@@ -161,8 +165,7 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
     note_time(show);
     tint_text(show);
     begin_measuring(show);
-    if (!program->rig.board && show->unit == VM_UNIT_INSTRUCTION)
-        show->unit = VM_UNIT_REFRESH;
+    vm_show_check_unit(show);
     show->step = show->paused;
     snprintf(title, sizeof title, "%s - kinescope", program->input.name);
     vm_window_set_title(show->window, title);

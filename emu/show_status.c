@@ -1,5 +1,6 @@
 /* show_status.c — the line at the bottom of the window: what is shown, when, how fast. */
 #include <stdio.h>
+#include <string.h>
 
 #include "emu/show.h"
 
@@ -41,6 +42,20 @@ static void describe_scale(const struct vm_show *show, char *text, size_t size)
         snprintf(text, size, "x%.2g of x%g", show->speed, show->scale);
     else
         snprintf(text, size, "x%g", show->scale);
+}
+
+/* What is not as it comes: a shutter, a gain, a picture made calm. */
+static void describe_exposure(const struct vm_show *show, char *text, size_t size)
+{
+    char shutter[48] = "", gain[48] = "", time[32], factor[32];
+    int g = vm_show_gain(show, vm_show_main_head(show));
+    vm_format_time(show->shutter, time, sizeof time);
+    vm_show_describe_gain(g, factor, sizeof factor);
+    if (show->shutter)
+        snprintf(shutter, sizeof shutter, "  shutter %s", time);
+    if (g || show->gain_auto)
+        snprintf(gain, sizeof gain, "  gain %s", factor);
+    snprintf(text, size, "%s%s%s", shutter, gain, show->no_flash ? "  no flash" : "");
 }
 
 static const char *describe_state(const struct vm_machine *m)
@@ -102,7 +117,7 @@ bool vm_status_text(const struct vm_status *s, int columns, char *text, size_t s
 
 void vm_show_status(struct vm_show *show, double now)
 {
-    char text[400], time[32], scale[64], tube[64], phosphor[64];
+    char text[800], time[32], scale[200], tube[64], phosphor[64];
     int width, height;
     const struct vm_machine *m = show->program->rig.machine;
     measure_speed(show, now);
@@ -110,13 +125,10 @@ void vm_show_status(struct vm_show *show, double now)
         return;
     show->status_since = now;
     measure_rate(show);
-    /* In slow motion the digits that move are far to the right. */
-    snprintf(time, sizeof time, "%.*f s",
-             show->scale >= 0.1    ? 2
-             : show->scale >= 1e-3 ? 5
-                                   : 8,
-             (double)m->now / (double)CRT_PS_PER_S);
-    describe_scale(show, scale, sizeof scale);
+    vm_show_warn(show);
+    vm_show_describe_time(show, time, sizeof time);
+    describe_scale(show, scale, 64);
+    describe_exposure(show, scale + strlen(scale), sizeof scale - strlen(scale));
     describe_tubes(show, tube, phosphor, sizeof tube);
     const struct vm_status status = {.name = show->program->input.name,
                                      .tube = tube,
@@ -127,6 +139,7 @@ void vm_show_status(struct vm_show *show, double now)
                                      .rate_hz = show->rate_hz,
                                      .words = m->refreshes.last.words};
     vm_window_size(show->window, &width, &height);
-    vm_status_text(&status, vm_hud_columns(width, height), text, sizeof text);
+    vm_status_text(&status, vm_hud_columns(width, height), text, 400);
+    vm_show_describe_where(show, text + strlen(text), sizeof text - strlen(text));
     vm_hud_status(show->hud, text);
 }

@@ -4,11 +4,14 @@
 #include "emu/cpu/rv_disasm.h"
 #include "emu/show.h"
 
-#define PATIENCE_PS CRT_PS_PER_S /* how long a step forward waits for what it steps by */
+#define PATIENCE_PS  CRT_PS_PER_S  /* how long a step forward waits for what it steps by */
+#define LONGEST_WORD CRT_PS_PER_MS /* longer than a display word draws */
 
 static const char *const unit_names[] = {[VM_UNIT_INSTRUCTION] = "instruction",
                                          [VM_UNIT_WORD] = "display word",
-                                         [VM_UNIT_REFRESH] = "refresh"};
+                                         [VM_UNIT_REFRESH] = "refresh",
+                                         [VM_UNIT_STROKE] = "stroke of the beam",
+                                         [VM_UNIT_LINE] = "scan line"};
 
 /* ---- remembering --------------------------------------------------------------------------------
  */
@@ -49,28 +52,58 @@ static bool forward(struct vm_show *show, struct crt_error *err)
 {
     struct vm_machine *m = show->program->rig.machine;
     uint64_t limit = m->now + PATIENCE_PS;
-    bool came = show->unit == VM_UNIT_REFRESH ? vm_machine_run_refresh(m, limit)
-                : show->unit == VM_UNIT_WORD
-                    ? vm_machine_run_words(m, m->dpu.words + 1, limit)
-                    : vm_machine_run_retired(m, rv_retired(&m->desc.board->cpu) + 1, limit);
+    bool came = false;
+    switch (show->unit) {
+    case VM_UNIT_INSTRUCTION:
+        came = vm_machine_run_retired(m, rv_retired(&m->desc.board->cpu) + 1, limit);
+        break;
+    case VM_UNIT_WORD:
+        came = vm_machine_run_words(m, m->dpu.words + 1, limit);
+        break;
+    case VM_UNIT_REFRESH:
+        came = vm_machine_run_refresh(m, limit);
+        break;
+    case VM_UNIT_STROKE:
+        came = vm_machine_run_stroke(m, limit);
+        break;
+    case VM_UNIT_LINE:
+        came = vm_machine_run_line(m, limit);
+        break;
+    }
     return came || crt_fail(err, "no %s within a second of simulated time", unit_names[show->unit]);
 }
 
-/* Goes to `place`, which is past or present, once more, with the light of the tick that ends there on
- * film. */
+/* The oscilloscope sees the refreshes. */
+static void run_watched(struct vm_show *show, uint64_t until)
+{
+    struct vm_machine *m = show->program->rig.machine;
+    if (!show->scope.placed) {
+        vm_machine_run(m, until > m->now ? until : m->now);
+        return;
+    }
+    while (m->now < until && vm_machine_run_refresh(m, until))
+        vm_show_scope_watch(show);
+    if (m->now < until)
+        vm_machine_run(m, until);
+}
+
+/* Goes to `place`, which is past or present, once more, with the light of the shutter's time, or
+ * of the tick, that ends there on film. */
 static bool expose(struct vm_show *show, const struct place *place, struct crt_error *err)
 {
     struct vm_shown *p = show->program;
     struct vm_machine *m = p->rig.machine;
-    uint64_t tick = vm_view_exposure(vm_view_now(show->view, m), m);
-    uint64_t from = place->now > tick ? place->now - tick : 0;
-    if (!vm_history_recall(p->history, from, err))
+    uint64_t exposure = vm_show_exposure(show), back = exposure + LONGEST_WORD;
+    uint64_t from = place->now > exposure ? place->now - exposure : 0;
+    /* From so far back that what was under way is known, and what an oscilloscope shows. */
+    if (show->scope.placed && back < VM_SCOPE_PAST)
+        back = VM_SCOPE_PAST;
+    if (!vm_history_recall(p->history, place->now > back ? place->now - back : 0, err))
         return false;
-    if (from > m->now)
-        vm_machine_run(m, from);
+    run_watched(show, from);
     if (place->now > m->now) {
         vm_frame_open(&p->frame, &p->rig, m->now, place->now);
-        vm_machine_run(m, place->now);
+        run_watched(show, place->now);
         vm_show_develop(show);
         show->film_ready = true;
     }
@@ -93,10 +126,20 @@ static void describe_instruction(const struct rv_cpu *cpu, char *text, size_t si
         snprintf(text, size, "nothing");
 }
 
+/* Those that have ended; a word's are delivered before they are drawn. */
+static unsigned long long strokes_over(const struct vm_machine *m)
+{
+    uint64_t coming = 0;
+    for (int i = 0; i < VM_STROKES_KEPT; i++)
+        coming += m->recent[i].t1 > m->now;
+    return (unsigned long long)(m->strokes - coming);
+}
+
 static void say_place(struct vm_show *show)
 {
     const struct vm_machine *m = show->program->rig.machine;
-    char text[200], time[40], next[RV_DISASM_MAX];
+    char text[200] = "", time[40], next[RV_DISASM_MAX];
+    uint32_t line, dot;
     vm_format_seconds(m->now, time, sizeof time);
     if (show->unit == VM_UNIT_INSTRUCTION) {
         describe_instruction(&m->desc.board->cpu, next, sizeof next);
@@ -107,10 +150,23 @@ static void say_place(struct vm_show *show)
     if (show->unit == VM_UNIT_WORD)
         snprintf(text, sizeof text, "display word %llu, next at %06o, %s",
                  (unsigned long long)m->dpu.words, m->dpu.dpc, time);
+    if (show->unit == VM_UNIT_STROKE)
+        snprintf(text, sizeof text, "stroke %llu, %s", strokes_over(m), time);
+    if (show->unit == VM_UNIT_LINE && ras_head_beam(&m->raster, m->now, &line, &dot))
+        snprintf(text, sizeof text, "scan line %u, %s", (unsigned)line, time);
     if (show->unit == VM_UNIT_REFRESH)
         snprintf(text, sizeof text, "refresh %llu, %s",
                  (unsigned long long)m->refreshes.last.number, time);
     vm_show_say(show, text);
+}
+
+void vm_show_look_again(struct vm_show *show)
+{
+    struct vm_shown *p = show->program;
+    const struct place place = place_of(p);
+    struct crt_error err;
+    if (show->paused && p->history && !expose(show, &place, &err))
+        vm_show_say(show, err.text);
 }
 
 void vm_show_step(struct vm_show *show, int direction)
@@ -136,13 +192,41 @@ void vm_show_step(struct vm_show *show, int direction)
         say_place(show);
 }
 
+static bool suits(const struct vm_show *show, enum vm_unit unit)
+{
+    const struct vm_machine *m = show->program->rig.machine;
+    switch (unit) {
+    case VM_UNIT_INSTRUCTION:
+        return m->desc.board != NULL;
+    case VM_UNIT_WORD:
+    case VM_UNIT_STROKE:
+        return vm_machine_uses_vector(m);
+    case VM_UNIT_LINE:
+        return vm_machine_uses_raster(m);
+    case VM_UNIT_REFRESH:
+        break;
+    }
+    return true;
+}
+
 void vm_show_next_unit(struct vm_show *show)
 {
+    static const enum vm_unit next[] = {[VM_UNIT_REFRESH] = VM_UNIT_WORD,
+                                        [VM_UNIT_WORD] = VM_UNIT_INSTRUCTION,
+                                        [VM_UNIT_INSTRUCTION] = VM_UNIT_STROKE,
+                                        [VM_UNIT_STROKE] = VM_UNIT_LINE,
+                                        [VM_UNIT_LINE] = VM_UNIT_REFRESH};
     char text[96];
-    show->unit = show->unit == VM_UNIT_REFRESH                            ? VM_UNIT_WORD
-                 : show->unit == VM_UNIT_WORD && show->program->rig.board ? VM_UNIT_INSTRUCTION
-                                                                          : VM_UNIT_REFRESH;
+    do
+        show->unit = next[show->unit];
+    while (!suits(show, show->unit));
     snprintf(text, sizeof text, "steps by a%s %s - Right Ctrl with Left, Right",
              show->unit == VM_UNIT_INSTRUCTION ? "n" : "", unit_names[show->unit]);
     vm_show_say(show, text);
+}
+
+void vm_show_check_unit(struct vm_show *show)
+{
+    if (!suits(show, show->unit))
+        show->unit = VM_UNIT_REFRESH;
 }

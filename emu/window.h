@@ -106,6 +106,7 @@ struct vm_event {
             int number; /* 0 left, 1 right, 2 middle, 3 … 7 */
             bool pressed;
             unsigned modifiers;
+            bool chord; /* with Right Ctrl held */
         } button;
         struct {
             double dx, dy; /* notches; dy > 0 = away from the user */

@@ -166,6 +166,7 @@ static void on_button(GLFWwindow *handle, int button, int action, int mods)
     e->u.button.number = button;
     e->u.button.pressed = action == GLFW_PRESS;
     e->u.button.modifiers = modifiers_of(handle, mods);
+    e->u.button.chord = queue_of(handle)->chord;
 }
 
 static void on_scroll(GLFWwindow *handle, double dx, double dy)

@@ -14,16 +14,19 @@ static bool trouble(const struct vm_y4m *y, struct crt_error *err)
 bool vm_y4m_open(struct vm_y4m *y, const char *path, int width, int height, struct crt_rate fps,
                  struct crt_error *err)
 {
-    *y = (struct vm_y4m){.width = width, .height = height};
+    *y = (struct vm_y4m){.width = width + width % 2, .height = height + height % 2};
     signal(SIGPIPE, SIG_IGN);
     if (!vm_out_open(&y->out, path, err))
         return false;
     y->file = y->out.file;
-    y->planes = malloc((size_t)width * (size_t)height * 3);
+    size_t pixels = (size_t)y->width * (size_t)y->height;
+    y->planes = malloc(pixels * 3);
     if (!y->planes)
         return crt_fail(err, "not enough memory for a frame of %dx%d", width, height);
-    fprintf(y->file, "YUV4MPEG2 W%d H%d F%llu:%llu Ip A1:1 C444 XCOLORRANGE=LIMITED\n", width,
-            height, (unsigned long long)fps.num, (unsigned long long)fps.den);
+    memset(y->planes, 16, pixels); /* black, also beyond the picture */
+    memset(y->planes + pixels, 128, 2 * pixels);
+    fprintf(y->file, "YUV4MPEG2 W%d H%d F%llu:%llu Ip A1:1 C444 XCOLORRANGE=LIMITED\n", y->width,
+            y->height, (unsigned long long)fps.num, (unsigned long long)fps.den);
     return !ferror(y->file) || trouble(y, err);
 }
 
@@ -41,8 +44,12 @@ static void convert(const uint16_t *rgb, size_t pixels, uint8_t *luma, uint8_t *
 bool vm_y4m_frame(struct vm_y4m *y, const struct crt_image *image, struct crt_error *err)
 {
     size_t pixels = (size_t)y->width * (size_t)y->height;
-    assert(image->depth == 8 && image->width == y->width && image->height == y->height);
-    convert(image->samples, pixels, y->planes, y->planes + pixels, y->planes + 2 * pixels);
+    assert(image->depth == 8 && image->width <= y->width && image->height <= y->height);
+    for (int row = 0; row < image->height; row++) {
+        const uint16_t *rgb = image->samples + (size_t)row * (size_t)image->width * 3;
+        uint8_t *luma = y->planes + (size_t)row * (size_t)y->width;
+        convert(rgb, (size_t)image->width, luma, luma + pixels, luma + 2 * pixels);
+    }
     if (fputs("FRAME\n", y->file) == EOF || fwrite(y->planes, 3, pixels, y->file) != pixels)
         return trouble(y, err);
     return true;

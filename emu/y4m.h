@@ -1,6 +1,8 @@
 /* y4m.h — a film strip as YUV4MPEG2, 4:4:4, 8 bit: what ffmpeg, mpv and others read from a pipe.
  *
  * Models:     BT.709 luma and chroma of the sRGB samples, limited range (16…235, 16…240).
+ * Size:       even, as most players' 4:2:0 needs it: an odd picture gets a black line or column more.
+ * Rate:       the exact ratio, so 24000/1001 stays that.
  * Ownership:  the writer owns its file, which is there when it is complete (out_file.h).
  * Errors:     one sentence that names the file; a reader that goes away is an error, not a signal.
  */

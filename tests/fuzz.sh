@@ -57,7 +57,7 @@ for fuzzer in "$@"; do
     findings=$out/$name-findings
     object "$source" -fsanitize=fuzzer
     clang $flags -fsanitize=fuzzer -o "$program" "$out/$source.o" "$out/lib.a" \
-        -lglfw -lxcvt -lpng -linih -lnettle -lm -ldl
+        -lglfw -lxcvt -lpng -linih -lnettle -ldw -lelf -lm -ldl
     mkdir -p "$corpus" "$work" "$findings"
     dictionary=
     [ -f "tests/fuzz/$name.dict" ] && dictionary="-dict=tests/fuzz/$name.dict"

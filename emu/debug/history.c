@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "emu/debug/history_beam.h"
 #include "emu/debug/snapshot.h"
 
 #define PERIOD (CRT_PS_PER_S / 10)
@@ -200,6 +201,9 @@ static void run_to(struct vm_machine *m, enum vm_unit unit, uint64_t count, uint
         while (m->refreshes.last.number < count && vm_machine_run_refresh(m, limit))
             ;
         break;
+    case VM_UNIT_STROKE:
+    case VM_UNIT_LINE:
+        break; /* history_beam.h */
     }
 }
 
@@ -236,9 +240,11 @@ static bool within_refresh(const struct vm_machine *m)
 bool vm_history_back(struct vm_history *h, enum vm_unit unit, uint64_t n, struct crt_error *err)
 {
     struct vm_machine *m = h->rig->machine;
-    uint64_t from = place_of(m).count[unit], end = m->now;
     if (h->count == 0)
         return nothing(err);
+    if (unit == VM_UNIT_STROKE || unit == VM_UNIT_LINE)
+        return vm_history_back_beam(h, m, unit, n, err) || beginning(err);
+    uint64_t from = place_of(m).count[unit], end = m->now;
     if (unit == VM_UNIT_REFRESH && within_refresh(m))
         from++;
     uint64_t target = n < from ? from - n : 0;
@@ -261,12 +267,27 @@ bool vm_history_rewind(struct vm_history *h, uint64_t cycle)
     return i > 0 && recall(h, i - 1, &err);
 }
 
-bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err)
+/* The last snapshot at or before t, but none from before the last mark. */
+static size_t at_or_before(const struct vm_history *h, uint64_t t)
 {
-    if (h->count == 0)
-        return nothing(err);
     size_t i = h->count - 1;
     while (i > 0 && h->at[i].place.now > t && !h->at[i].marked)
         i--;
-    return recall(h, i, err);
+    return i;
+}
+
+bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err)
+{
+    return h->count == 0 ? nothing(err) : recall(h, at_or_before(h, t), err);
+}
+
+const uint8_t *vm_history_snapshot(const struct vm_history *h, uint64_t t, size_t *size,
+                                   uint64_t *taken)
+{
+    if (h->count == 0)
+        return NULL;
+    const struct memory *snapshot = &h->at[at_or_before(h, t)];
+    *size = snapshot->size;
+    *taken = snapshot->place.now;
+    return snapshot->bytes;
 }

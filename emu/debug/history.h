@@ -46,10 +46,17 @@ void vm_history_mark(struct vm_history *h);
 /* Forgets all and begins here: another program, another snapshot was loaded. */
 void vm_history_forget(struct vm_history *h);
 
-enum vm_unit { VM_UNIT_INSTRUCTION, VM_UNIT_WORD, VM_UNIT_REFRESH };
+enum vm_unit {
+    VM_UNIT_INSTRUCTION,
+    VM_UNIT_WORD,
+    VM_UNIT_REFRESH,
+    VM_UNIT_STROKE, /* of the vector head: ends of lit pieces of the beam's path */
+    VM_UNIT_LINE    /* of the raster head: where lines begin, blanked ones, too */
+};
 
 /* Goes back by n instructions of the processor, n words of the display processor, or to the n-th end
- * of a refresh before here (from within a refresh the first is where it began). False and a sentence: not that
+ * of a refresh before here (from within a refresh the first is where it began), of a stroke, or beginning of
+ * a line, that is earlier than now. False and a sentence: not that
  * much is remembered; the rig is then where memory begins. */
 bool vm_history_back(struct vm_history *h, enum vm_unit unit, uint64_t n, struct crt_error *err);
 /* Restores the last snapshot in which the processor's clock is before `cycle`, and forgets the later
@@ -61,6 +68,11 @@ bool vm_history_rewind(struct vm_history *h, uint64_t cycle);
  * when there is none. False and a sentence: nothing is remembered. For who runs on from there
  * himself. */
 bool vm_history_recall(struct vm_history *h, uint64_t t, struct crt_error *err);
+
+/* The snapshot that vm_history_recall would restore, without restoring it: bytes for vm_rig_state, valid
+ * until the history changes, and when it was taken, ps. NULL: nothing is remembered. */
+const uint8_t *vm_history_snapshot(const struct vm_history *h, uint64_t t, size_t *size,
+                                   uint64_t *taken);
 
 /* How much is remembered. */
 struct vm_history_extent {

@@ -94,6 +94,10 @@ struct vm_heat {
 bool vm_heat_draw(const struct vm_heat *heat, struct vm_size size, enum vm_plot_style style,
                   struct crt_image *image, struct crt_error *err);
 
+/* The picture as a PNG file, whole or not at all ("-" is standard output), with its title in a text chunk. */
+bool vm_plot_write(const char *path, const struct crt_image *image, const char *title,
+                   struct crt_error *err);
+
 /* By default 1280 × 720. */
 extern const struct vm_size vm_plot_size;
 

@@ -341,6 +341,53 @@ static void a_boot_begins_with_an_empty_buffer(void **state)
     tear_down_both(r);
 }
 
+/* ---- steps -------------------------------------------------------------------------------------- */
+
+static void every_line_is_a_step(void **state)
+{
+    (void)state;
+    struct both *r = set_up_both(reader, COUNT(reader));
+    struct vm_machine *m = r->b->m;
+    assert_false(vm_machine_run_line(m, CYCLE));
+    assert_int_equal(m->now, CYCLE);
+    assert_true(vm_machine_run_line(m, CRT_PS_PER_S)); /* it is switched on */
+    assert_true(m->now >= 2 * CYCLE && m->now <= 3 * CYCLE);
+    for (uint64_t n = 1; n < 1200; n++) {
+        assert_true(vm_machine_run_line(m, CRT_PS_PER_S));
+        assert_int_equal(m->now, 2 * CYCLE + DOT(800 * n));
+    }
+    vm_machine_run(m, m->now + 5 * US);
+    assert_true(vm_machine_run_line(m, CRT_PS_PER_S));
+    assert_int_equal(m->now, 2 * CYCLE + DOT(800 * 1200));
+    tear_down_both(r);
+}
+
+/* Begins its timing anew every PAUSE instructions: two lines begin in that time, and the next one is the
+ * first of another timing. */
+#define PAUSE 2500
+
+static void a_new_timing_begins_with_a_line(void **state)
+{
+    (void)state;
+    uint32_t code[PAUSE + 4] = {LUI(A0, MAP_VIDEO >> 12), ADDI(A1, ZERO, VIDEO_CONTROL_ON),
+                                SW(A1, A0, VIDEO_CONTROL), SW(ZERO, A0, VIDEO_LOAD)};
+    for (size_t i = 4; i < COUNT(code); i++)
+        code[i] = NOP;
+    code[COUNT(code) - 1] = JUMP_BACK(PAUSE);
+    struct both *r = set_up_both(code, COUNT(code));
+    struct vm_machine *m = r->b->m;
+    assert_true(vm_machine_run_line(m, CRT_PS_PER_S));
+    for (int round = 0; round < 20; round++) {
+        assert_true(vm_machine_run_line(m, CRT_PS_PER_S));
+        uint64_t origin = m->raster.origin;
+        assert_true(m->now >= origin && m->now <= origin + CYCLE);
+        assert_int_equal((origin / CYCLE - 3) % (PAUSE + 1), 0);
+        assert_true(vm_machine_run_line(m, CRT_PS_PER_S));
+        assert_int_equal(m->now, origin + DOT(800));
+    }
+    tear_down_both(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -353,6 +400,8 @@ int main(void)
         cmocka_unit_test(an_interlaced_frame_is_two_fields),
         cmocka_unit_test(the_bus_takes_what_the_map_says),
         cmocka_unit_test(a_boot_begins_with_an_empty_buffer),
+        cmocka_unit_test(every_line_is_a_step),
+        cmocka_unit_test(a_new_timing_begins_with_a_line),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

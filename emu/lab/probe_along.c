@@ -1,0 +1,152 @@
+/* probe_along.c — probe --along: the mean luminance along a line, as JSON, CSV and a plot. */
+#include <math.h>
+#include <string.h>
+
+#include "crt/png_file.h"
+#include "emu/lab/probe_parts.h"
+#include "emu/lab/profile.h"
+#include "emu/out_file.h"
+
+#define STEPS 256 /* of a run to its beginning, at most so many pieces of light to forget at once */
+
+struct along {
+    struct vm_probe_job *job;
+    const struct vm_monitor *monitor;
+    struct vm_profile profile;
+    struct vm_profile_figures figures;
+};
+
+static void lead_in(struct along *a, struct vm_machine *m)
+{
+    uint64_t piece = a->job->from / STEPS + 1;
+    while (m->now < a->job->from) {
+        uint64_t next = m->now + piece;
+        vm_progress_run(&a->job->progress, m, next < a->job->from ? next : a->job->from);
+        vm_profile_forget(&a->profile, m->now);
+    }
+}
+
+static void number(const char *name, double value)
+{
+    printf(",\n \"%s\": ", name);
+    vm_probe_number(stdout, value);
+}
+
+static void print_json(const struct along *a)
+{
+    const struct vm_profile_figures *f = &a->figures;
+    char from[VM_SECONDS_TEXT], to[VM_SECONDS_TEXT];
+    vm_probe_seconds(a->job->from, from);
+    vm_probe_seconds(a->job->to, to);
+    fputs("{\"program\": ", stdout);
+    vm_probe_text(stdout, a->job->input.name);
+    printf(",\n \"tube\": \"%s\",\n \"phosphor\": \"%s\",\n \"from_s\": %s,\n \"to_s\": %s",
+           a->monitor->row.name, a->monitor->phosphor.name, from, to);
+    number("length_mm", f->length_mm);
+    number("mean_cd_m2", f->mean_cd_m2);
+    number("least_cd_m2", f->least_cd_m2);
+    number("crest_cd_m2", f->crest_cd_m2);
+    number("crest_mm", f->crest_mm);
+    printf(",\n \"crests\": %d", f->crests);
+    number("width60_mm", f->width60_mm);
+    number("width50_mm", f->width50_mm);
+    number("dip_cd_m2", f->dip_cd_m2);
+    number("dip_modulation", f->dip_modulation);
+    number("apart_mm", f->apart_mm);
+    puts("}");
+}
+
+static bool write_csv(const struct along *a, struct crt_error *err)
+{
+    struct vm_out out;
+    if (!vm_out_open(&out, a->job->o.csv, err))
+        return false;
+    fputs("mm,cd_m2\n", out.file);
+    for (int i = 0; i < VM_PROFILE_POINTS; i++) {
+        vm_probe_number(out.file, a->profile.mm[i]);
+        putc(',', out.file);
+        vm_probe_number(out.file, a->profile.cd_m2[i]);
+        putc('\n', out.file);
+    }
+    return vm_out_close(&out, true, err);
+}
+
+static void put_note(const struct along *a, char *text, size_t size)
+{
+    const struct vm_profile_figures *f = &a->figures;
+    int n = snprintf(text, size, "highest %.4g cd/m², %d crest%s", f->crest_cd_m2, f->crests,
+                     f->crests == 1 ? "" : "s");
+    if (isfinite(f->width60_mm))
+        n += snprintf(text + n, size - (size_t)n, "; %.3f mm wide at 60 %%, %.3f mm at half",
+                      f->width60_mm, f->width50_mm);
+    if (f->crests > 1)
+        snprintf(text + n, size - (size_t)n,
+                 "; between the two highest, %.3f mm apart, %.4g cd/m²: modulation %.3g %%",
+                 f->apart_mm, f->dip_cd_m2, 100 * f->dip_modulation);
+}
+
+static bool write_plot(const struct along *a, struct crt_error *err)
+{
+    const struct vm_probe_options *o = &a->job->o;
+    char title[200], note[300];
+    struct crt_image image;
+    snprintf(title, sizeof title, "%s on %s %s, from %s to %s", a->job->input.name,
+             a->monitor->row.name, a->monitor->phosphor.name, o->place, o->along);
+    put_note(a, note, sizeof note);
+    struct vm_plot plot = {
+        .title = title, .note = note, .x = {.label = "along the line, mm"}, .panel_count = 1};
+    plot.panel[0] = (struct vm_plot_panel){
+        .y = {.label = "mean luminance, cd/m²", .log = o->log},
+        .series = {{.kind = VM_PLOT_LINE,
+                    .x = a->profile.mm,
+                    .y = a->profile.cd_m2,
+                    .count = VM_PROFILE_POINTS,
+                    .colour = -1}},
+        .series_count = 1,
+    };
+    if (a->figures.crests == 1 && isfinite(a->figures.width60_mm)) {
+        plot.panel[0].mark[0] =
+            (struct vm_plot_mark){.at = 0.6 * a->figures.crest_cd_m2, .label = "60 %"};
+        plot.panel[0].mark_count = 1;
+    }
+    if (!vm_plot_draw(&plot, o->size.width ? o->size : vm_plot_size,
+                      o->projector ? VM_PLOT_PROJECTOR : VM_PLOT_PAPER, &image, err))
+        return false;
+    const struct crt_png_text texts[] = {{"Title", title}};
+    bool ok = crt_png_write(o->out, &image, texts, 1, err);
+    crt_image_free(&image);
+    return ok;
+}
+
+static bool write_all(const struct along *a, struct crt_error *err)
+{
+    const struct vm_probe_options *o = &a->job->o;
+    bool to_stdout = (o->csv && strcmp(o->csv, "-") == 0) || (o->out && strcmp(o->out, "-") == 0);
+    if (!(a->figures.crest_cd_m2 > 0) && !o->allow_dark)
+        return crt_fail(
+            err,
+            "there is no light of %s along that line at that time: choose other places, "
+            "another time, or --allow-dark",
+            a->job->input.name);
+    if ((o->csv && !write_csv(a, err)) || (o->out && !write_plot(a, err)))
+        return false;
+    if (!to_stdout)
+        print_json(a);
+    return true;
+}
+
+bool vm_probe_measure_along(struct vm_probe_job *job, struct vm_rig *rig, struct crt_error *err)
+{
+    struct along a = {.job = job, .monitor = &job->settings.monitor[job->place.head]};
+    const double from[2] = {job->place.x_mm, job->place.y_mm};
+    if (!vm_profile_open(&a.profile, rig->tube[job->place.head], from, job->along_mm, err))
+        return false;
+    vm_progress_begin(&job->progress);
+    lead_in(&a, rig->machine);
+    vm_progress_run(&job->progress, rig->machine, job->to);
+    vm_progress_end(&job->progress);
+    bool ok =
+        vm_profile_measure(&a.profile, job->from, job->to, &a.figures, err) && write_all(&a, err);
+    vm_profile_close(&a.profile);
+    return ok;
+}

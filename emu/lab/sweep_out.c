@@ -1,0 +1,67 @@
+#include "emu/lab/sweep_out.h"
+
+#include <string.h>
+
+#include "crt/png_file.h"
+#include "emu/out_file.h"
+
+enum { OK, TROUBLE, USAGE };
+
+static bool is_standard_output(const char *path)
+{
+    return path && strcmp(path, "-") == 0;
+}
+
+int vm_sweep_out_check(const struct vm_sweep_out *out, struct crt_error *err)
+{
+    if (is_standard_output(out->csv) && is_standard_output(out->picture)) {
+        crt_fail(err, "--csv and -o cannot both go to standard output");
+        return USAGE;
+    }
+    if (out->csv && out->picture && strcmp(out->csv, out->picture) == 0) {
+        crt_fail(err, "--csv and -o name the same file");
+        return USAGE;
+    }
+    if (!out->picture && (out->size.width || out->projector)) {
+        crt_fail(err, "%s is for a picture; give -o OUT.png, too",
+                 out->projector ? "--projector" : "--size");
+        return USAGE;
+    }
+    if ((out->csv && !vm_out_check(out->csv, err)) ||
+        (out->picture && !vm_out_check(out->picture, err)))
+        return TROUBLE;
+    return OK;
+}
+
+static bool put_csv(const struct vm_sweep_out *out, const struct vm_sweep_forms *forms,
+                    struct crt_error *err)
+{
+    struct vm_out file;
+    if (!vm_out_open(&file, out->csv, err))
+        return false;
+    forms->csv(file.file, forms->what);
+    return vm_out_close(&file, true, err);
+}
+
+static bool put_picture(const struct vm_sweep_out *out, const struct vm_sweep_forms *forms,
+                        struct crt_error *err)
+{
+    struct crt_image image = {0};
+    bool ok = forms->draw(forms->what, out->size.width ? out->size : forms->size,
+                          out->projector ? VM_PLOT_PROJECTOR : VM_PLOT_PAPER, &image, err) &&
+              crt_png_write(out->picture, &image, NULL, 0, err);
+    crt_image_free(&image);
+    return ok;
+}
+
+int vm_sweep_out_put(const struct vm_sweep_out *out, const struct vm_sweep_forms *forms,
+                     struct crt_error *err)
+{
+    if (!is_standard_output(out->csv) && !is_standard_output(out->picture))
+        forms->text(stdout, forms->what);
+    if (out->csv && !put_csv(out, forms, err))
+        return TROUBLE;
+    if (out->picture && !put_picture(out, forms, err))
+        return TROUBLE;
+    return OK;
+}

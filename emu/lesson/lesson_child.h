@@ -1,0 +1,27 @@
+/* lesson_child.h — one command of kinescope, run in a process of its own, and what it said.
+ *
+ * Models:     nothing. A process of its own leaves nothing behind: every command begins as at the shell.
+ * Ownership:  vm_child_start opens, vm_child_end closes; its texts are malloced.
+ * Errors:     one sentence.
+ */
+#ifndef EMU_LESSON_LESSON_CHILD_H
+#define EMU_LESSON_LESSON_CHILD_H
+
+#include <stdio.h>
+#include <sys/types.h>
+
+#include "crt/error.h"
+
+struct vm_child {
+    pid_t pid; /* 0: none */
+    FILE *out, *complaints;
+};
+
+/* `arguments`: the subcommand and what follows, NULL at the end. */
+bool vm_child_start(struct vm_child *child, char *const *arguments, struct crt_error *err);
+
+/* Of a child that has ended with `status` of waitpid: all that it printed, or NULL and the sentence it
+ * complained with. */
+char *vm_child_end(struct vm_child *child, int status, struct crt_error *err);
+
+#endif

@@ -1,0 +1,210 @@
+#include "emu/lesson/lesson_command.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "emu/options.h"
+
+#define PATH 4200
+
+/* What can be run without a window and leaves nothing but its result. */
+static const char *const commands[] = {"capture", "probe", "sweep", "measure", "calc",
+                                       "trace",   "why",   "list",  "compare", "disasm"};
+#define COMMANDS (sizeof commands / sizeof *commands)
+
+static const char *const endings[] = {".png", ".csv", ".txt", ".json", ".y4m"};
+
+static bool ends_with(const char *text, const char *ending)
+{
+    size_t n = strlen(text), m = strlen(ending);
+    return n > m && strcmp(text + n - m, ending) == 0;
+}
+
+/* A plain file name that a result may have; what begins with '-' is an option. */
+static bool is_result(const char *name)
+{
+    if (*name == '-' || *name == '.' || strchr(name, '/'))
+        return false;
+    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
+        if (ends_with(name, endings[i]))
+            return true;
+    return false;
+}
+
+/* The file name in word `i`, where it may name a result: after an option, or behind its '='. */
+static char *result_in(const struct vm_words *words, int i)
+{
+    char *word = words->item[i];
+    if (word[0] == '-') {
+        char *equals = strchr(word, '=');
+        return equals && is_result(equals + 1) ? equals + 1 : NULL;
+    }
+    return i > 0 && words->item[i - 1][0] == '-' && is_result(word) ? word : NULL;
+}
+
+static const char *wanted_ending(enum vm_lesson_word word)
+{
+    return word == VM_LESSON_PICTURE || word == VM_LESSON_PLOT ? ".png" : NULL;
+}
+
+/* The result that is shown: of pictures and plots the first .png, of tables the first .csv or .txt. */
+static const char *shown_result(enum vm_lesson_word word, const struct vm_words *words)
+{
+    const char *ending = wanted_ending(word);
+    for (int i = 1; i < words->count; i++) {
+        const char *name = result_in(words, i);
+        bool fits = name && (ending ? ends_with(name, ending)
+                                    : ends_with(name, ".csv") || ends_with(name, ".txt"));
+        if (fits && word != VM_LESSON_FIGURES)
+            return name;
+    }
+    return NULL;
+}
+
+static bool check_verb(const struct vm_words *words, struct crt_error *err)
+{
+    const char *verb = words->count ? words->item[0] : "";
+    for (size_t i = 0; i < COMMANDS; i++)
+        if (strcmp(commands[i], verb) == 0)
+            return true;
+    const char *near = vm_nearest(verb, commands, COMMANDS);
+    if (near)
+        return crt_fail(err, "there is no command '%.60s' for lessons; did you mean %s?", verb,
+                        near);
+    return crt_fail(err,
+                    "there is no command '%.60s' for lessons, which have capture, probe, sweep, "
+                    "measure, calc, trace, why, list, compare and disasm",
+                    verb);
+}
+
+static bool check_live(const struct vm_words *words, struct crt_error *err)
+{
+    if (words->count && strcmp(words->item[0], "run") == 0)
+        return true;
+    return crt_fail(err, "what is shown live begins with run: live run roms/growing.df");
+}
+
+bool vm_lesson_command_check(enum vm_lesson_word word, const char *text, char *file, size_t size,
+                             struct crt_error *err)
+{
+    struct vm_words words;
+    bool ok = vm_words_split(&words, text, err) &&
+              (word == VM_LESSON_LIVE ? check_live(&words, err) : check_verb(&words, err));
+    file[0] = '\0';
+    for (int i = 1; ok && i < words.count; i++)
+        if (strcmp(words.item[i], "-") == 0)
+            ok = crt_fail(err, "'-' has no meaning in a lesson; leave it out, or name a file");
+    const char *name = ok && word != VM_LESSON_LIVE ? shown_result(word, &words) : NULL;
+    if (name && strlen(name) >= size)
+        ok = crt_fail(err, "the file name '%.60s…' is too long", name);
+    else if (name)
+        snprintf(file, size, "%s", name);
+    vm_words_free(&words);
+    return ok;
+}
+
+const char *vm_lesson_command_ending(enum vm_lesson_word word, const char *text)
+{
+    struct vm_words words;
+    struct crt_error err;
+    bool csv = false;
+    if (wanted_ending(word))
+        return "png";
+    if (vm_words_split(&words, text, &err))
+        for (int i = 1; i < words.count; i++)
+            csv = csv || strcmp(words.item[i], "--csv") == 0;
+    vm_words_free(&words);
+    return csv ? "csv" : "txt";
+}
+
+/* Whether -o FILE is to be added: a picture or plot whose command names none. */
+static bool lacks_out(const struct vm_lesson_line *line, const struct vm_words *words)
+{
+    return wanted_ending(line->word) && !shown_result(line->word, words);
+}
+
+static bool is_plot(const struct vm_lesson_line *line, const struct vm_words *words)
+{
+    return line->word == VM_LESSON_PLOT && words->count &&
+           (strcmp(words->item[0], "probe") == 0 || strcmp(words->item[0], "sweep") == 0);
+}
+
+char *vm_lesson_command_shown(const struct vm_lesson_line *line, bool projector)
+{
+    struct vm_words words;
+    struct crt_error err;
+    size_t size = strlen(line->text) + sizeof line->file + 64;
+    char *shown = malloc(size);
+    if (shown && vm_words_split(&words, line->text, &err)) {
+        bool out = line->word != VM_LESSON_LIVE && lacks_out(line, &words);
+        snprintf(shown, size, "kinescope %s%s%s%s", line->text,
+                 projector && is_plot(line, &words) ? " --projector" : "", out ? " -o " : "",
+                 out ? line->file : "");
+        vm_words_free(&words);
+    } else if (shown)
+        shown[0] = '\0';
+    return shown;
+}
+
+/* ---- started from another place -------------------------------------------------------------- */
+
+/* Puts `folder`/`name` where `name` stands at the end of item `i`. */
+static bool put_path(struct vm_words *words, int i, const char *name, const char *folder,
+                     const char *rest, struct crt_error *err)
+{
+    size_t before = (size_t)(name - words->item[i]);
+    size_t size = before + strlen(folder) + strlen(rest) + 2;
+    char *word = malloc(size);
+    if (!word)
+        return crt_fail(err, "out of memory");
+    snprintf(word, size, "%.*s%s/%s", (int)before, words->item[i], folder, rest);
+    free(words->item[i]);
+    words->item[i] = word;
+    return true;
+}
+
+/* A file with a dot in its name, beside the lesson. */
+static bool beside(const char *folder, const char *name)
+{
+    char path[PATH];
+    struct stat status;
+    int n = snprintf(path, sizeof path, "%s/%s", folder, name);
+    return strchr(name, '.') && n > 0 && n < PATH && stat(path, &status) == 0 &&
+           S_ISREG(status.st_mode);
+}
+
+static bool place_word(struct vm_words *words, int i, const struct vm_lesson_places *places,
+                       struct crt_error *err)
+{
+    char *word = words->item[i], *equals = word[0] == '-' ? strchr(word, '=') : NULL;
+    const char *name = equals ? equals + 1 : word;
+    const char *result = result_in(words, i);
+    if (result)
+        return put_path(words, i, result, places->out, result, err);
+    if (strncmp(name, "roms/", 5) == 0)
+        return put_path(words, i, name, places->roms, name + 5, err);
+    if (name[0] == '/' || name[0] == '-' || !beside(places->lesson, name))
+        return true;
+    return put_path(words, i, name, places->lesson, name, err);
+}
+
+bool vm_lesson_command_start(const struct vm_lesson_line *line,
+                             const struct vm_lesson_places *places, bool projector,
+                             struct vm_words *words, struct crt_error *err)
+{
+    char path[PATH];
+    bool ok = vm_words_split(words, line->text, err);
+    bool out = ok && lacks_out(line, words);
+    if (ok && projector && is_plot(line, words))
+        ok = vm_words_add(words, "--projector", err);
+    for (int i = 1; ok && i < words->count; i++)
+        ok = place_word(words, i, places, err);
+    if (!ok || !out)
+        return ok;
+    int n = snprintf(path, sizeof path, "%s/%s", places->out, line->file);
+    if (n < 0 || n >= PATH)
+        return crt_fail(err, "the name of the output folder is too long");
+    return vm_words_add(words, "-o", err) && vm_words_add(words, path, err);
+}

@@ -1,0 +1,31 @@
+/* lesson_run.h — runs the commands of lessons, several at a time.
+ *
+ *      lines of all lessons, in order ─▶ a process each, `at_once` of them ─▶ results by line
+ *
+ * Results are where their lines are: they do not depend on which command is done first.
+ *
+ * Ownership:  the caller's results.
+ * Errors:     told one by one, "FILE:LINE: sentence": a lesson's mistakes are found in one go.
+ */
+#ifndef EMU_LESSON_LESSON_RUN_H
+#define EMU_LESSON_LESSON_RUN_H
+
+#include "emu/lesson/lesson_results.h"
+
+struct vm_lesson_run {
+    const char *roms; /* absolute: what roms/ means */
+    int at_once;
+    bool projector;
+    bool progress; /* a line on standard error that overwrites itself */
+    void (*tell)(const struct crt_error *sentence);
+};
+
+/* Folders must exist, `results[i].folder` absolute. False: something went wrong, and was told. */
+bool vm_lesson_run(const struct vm_lesson_run *run, struct vm_lesson_results *results, int count);
+
+/* Tells what was expected and does not hold; false when there is any, or a figure is not there. `held` and `asked`
+ * are counted on. */
+bool vm_lesson_judge(const struct vm_lesson_run *run, const struct vm_lesson_results *r,
+                     int *asked);
+
+#endif

@@ -1,0 +1,147 @@
+/* show_why.c — Right Ctrl with a click: what put the light there, as a panel over the picture at rest. */
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+
+#include "emu/lab/why_text.h"
+#include "emu/show.h"
+
+#define COLUMNS 56
+#define LINES   24
+#define MARK    6.0  /* pixels */
+#define LEAST   0.01 /* smaller shares are summed up */
+
+/* The hud has ASCII letters only. */
+static const struct {
+    const char *from, *to;
+} plain[] = {{"²", "2"}, {"µ", "u"}, {"×", "x"},   {"°", " deg"}, {"·", "-"},
+             {"–", "-"}, {"−", "-"}, {"…", "..."}, {"≥", ">="},   {"≤", "<="}};
+
+static void put_plain(const char *text, char *out, size_t size)
+{
+    size_t n = 0;
+    while (*text && n + 5 < size) {
+        size_t i = 0, count = sizeof plain / sizeof *plain;
+        while (i < count && strncmp(text, plain[i].from, strlen(plain[i].from)) != 0)
+            i++;
+        if (i == count) {
+            out[n++] = *text++;
+            continue;
+        }
+        memcpy(out + n, plain[i].to, strlen(plain[i].to));
+        n += strlen(plain[i].to);
+        text += strlen(plain[i].from);
+    }
+    out[n] = '\0';
+}
+
+struct lines {
+    char *line[LINES];
+    size_t count;
+};
+
+static void keep(void *ctx, const char *line)
+{
+    struct lines *l = ctx;
+    char text[200];
+    if (l->count == LINES)
+        return;
+    put_plain(line, text, sizeof text);
+    l->line[l->count] = strdup(text);
+    l->count += l->line[l->count] != NULL;
+}
+
+/* Octal words and tapes have lines, but no source. */
+static struct vm_why_names names_of(const struct vm_shown *p, const struct vm_source_lines *lines)
+{
+    const struct df_program *program = &p->input.program;
+    const char *dot = program->file_count ? strrchr(program->files[0], '.') : NULL;
+    bool source = program->words && dot && strcasecmp(dot, ".df") == 0;
+    return (struct vm_why_names){.program = source ? program : NULL,
+                                 .elf = p->input.has_firmware ? &p->input.elf : NULL,
+                                 .lines = lines};
+}
+
+static void show_answer(struct vm_show *show, const struct vm_why *why, bool lower)
+{
+    const struct vm_shown *p = show->program;
+    struct lines lines = {.count = 0};
+    struct vm_source_lines *source = NULL;
+    if (p->input.has_firmware)
+        source = vm_source_lines_open((const uint8_t *)p->input.image, p->input.image_size);
+    const struct vm_why_text text = {
+        .names = names_of(p, source), .columns = COLUMNS, .most = LINES - 2, .least = LEAST};
+    vm_why_lines(why, &text, keep, &lines);
+    keep(&lines, "");
+    keep(&lines, "Any key closes this; F5 goes on.");
+    vm_hud_help_side(show->hud, lower ? VM_HUD_TOP : VM_HUD_BOTTOM);
+    vm_hud_help(show->hud, true, (const char *const *)lines.line, lines.count);
+    show->why_shown = true;
+    for (size_t i = 0; i < lines.count; i++)
+        free(lines.line[i]);
+    vm_source_lines_free(source);
+}
+
+static void ask(struct vm_show *show, double x, double y)
+{
+    struct vm_shown *p = show->program;
+    struct vm_spot spot = vm_show_spot(show, x, y);
+    struct vm_why why;
+    struct crt_error err;
+    int width, height;
+    if (!spot.on) {
+        vm_show_say(show, "there is no screen");
+        return;
+    }
+    show->paused = true;
+    show->speed_since = 0;
+    if (!p->history) {
+        vm_show_say(show, p->input.is_recording ? "a recording has no program that put light there"
+                                                : "there is no memory to remember the run");
+        return;
+    }
+    const struct vm_why_desc desc = {
+        .settings = &p->settings,
+        .input = &p->input,
+        .place = vm_why_at_mm(p->rig.machine, spot.head, spot.x_mm, spot.y_mm)};
+    if (!vm_why_past(&why, &desc, &p->rig, p->history, &err)) {
+        vm_show_say(show, err.text);
+        return;
+    }
+    vm_window_size(show->window, &width, &height);
+    show_answer(show, &why, y > height / 2.0);
+    show->why_head = spot.head;
+    show->why_x_mm = spot.x_mm;
+    show->why_y_mm = spot.y_mm;
+    vm_why_free(&why);
+}
+
+static void close_panel(struct vm_show *show)
+{
+    show->why_shown = false;
+    vm_hud_help(show->hud, false, NULL, 0);
+    vm_hud_help_side(show->hud, VM_HUD_MIDDLE);
+}
+
+bool vm_show_why_event(struct vm_show *show, const struct vm_event *event)
+{
+    bool key = event->kind == VM_EVENT_HOST_KEY || event->kind == VM_EVENT_GUEST_KEY;
+    bool pressed = key ? event->u.key.action == VM_PRESS
+                       : event->kind == VM_EVENT_BUTTON && event->u.button.pressed;
+    bool asks = event->kind == VM_EVENT_BUTTON && event->u.button.chord;
+    if (!asks && !(show->why_shown && pressed))
+        return false;
+    if (show->why_shown && pressed)
+        close_panel(show);
+    if (asks && pressed)
+        ask(show, event->x, event->y);
+    return asks || key;
+}
+
+void vm_show_mark_asked(struct vm_show *show)
+{
+    double x = 0, y = 0, pitch;
+    bool there = show->why_shown && vm_show_window_place(show, (int)show->why_head, show->why_x_mm,
+                                                         show->why_y_mm, &x, &y, &pitch);
+    vm_hud_mark(show->hud, VM_MARK_ASKED, x, y, there ? MARK : 0);
+}
