@@ -36,7 +36,7 @@ static const struct vm_option rows[] = {
      "under each picture its time, what the display processor or the raster head is at, and where "
      "the beam is",
      0, 0},
-    {"versus", 0, VM_OPT_STRING, ROW(versus), "NAME=VALUE;…",
+    {"versus", 0, VM_OPT_STRING, ROW(versus), "NAME=VALUE;...",
      "beside it the same program on another machine, to the same instants: options without dashes "
      "that are different there, such as 'phosphor=P31;refresh=30;set.spot=0.5'; time events are "
      "the "

@@ -251,11 +251,17 @@ const struct vm_command vm_command_run = {
     "Show a program in a window; without FILE the monitor",
     "F1 in the window shows the keys. Every key except F1 to F12 and those held with Right Ctrl "
     "belongs "
-    "to the program. A file that changes is loaded again; a file dropped on the window is shown.",
+    "to the program. A file that changes is loaded again; a file dropped on the window is shown. "
+    "A monitor of 60 Hz cannot show flicker of 60 Hz and more as on the tube: slow motion (F7) and "
+    "the "
+    "oscilloscope (F4) can; of pictures that flash 3 to 30 times a second a message warns, and "
+    "--no-flash shows them steady.",
     "  kinescope run\n"
     "  kinescope run --tour\n"
     "  kinescope run --headless --console < script\n"
     "  kinescope run roms/lander.df --tube VR14 --time-scale 0.001\n"
+    "  kinescope run roms/lander.df --time-scale 1e-5 --shutter 100us\n"
+    "  kinescope run roms/growing.df --refresh 25 --no-flash\n"
     "  kinescope run roms/spin.df --headless --for 60s\n"
     "  kinescope run roms/pattern.elf --tube MONO12/P134\n"
     "  kinescope run roms/hello.elf --headless --console\n"

@@ -178,6 +178,11 @@ static double span_of(const struct vm_show *show, double hz)
     return fmax(fmin(refreshes, SHOWN_S * show->scale), SHORTEST);
 }
 
+static double measured_s(double hz)
+{
+    return fmin(MEASURED / (hz > 0 ? hz : UNKNOWN_HZ), MEASURED_S);
+}
+
 static double round_up(double v)
 {
     double decade = pow(10, floor(log10(v)));
@@ -253,23 +258,37 @@ static struct vm_size picture_size(const struct vm_show *show)
     return (struct vm_size){w, h};
 }
 
+static double now_hz(const struct vm_scope *s)
+{
+    uint64_t now = crt_photodiode_now(s->probe.diode);
+    return vm_probe_hz(&s->probe, since(s, now, 1), now);
+}
+
+/* Figures up to now, of whole refreshes that the diode still has. */
+static bool measure(struct vm_scope *s, double hz, struct crt_error *err)
+{
+    uint64_t now = crt_photodiode_now(s->probe.diode);
+    uint64_t from = since(s, now, measured_s(hz));
+    s->known = now > from && vm_probe_report(&s->probe, from, now, &s->report, err);
+    return s->known;
+}
+
 /* Curve and figures up to now. */
 static bool look(struct vm_show *show, struct crt_image *image, struct crt_error *err)
 {
     struct vm_scope *s = &show->scope;
     struct vm_probe_wave wave;
     uint64_t now = crt_photodiode_now(s->probe.diode);
-    double hz = vm_probe_hz(&s->probe, since(s, now, 1), now);
-    double measured = fmin(MEASURED / (hz > 0 ? hz : UNKNOWN_HZ), MEASURED_S);
+    double hz = now_hz(s);
     double span = span_of(show, hz);
-    uint64_t from = since(s, now, measured), t0 = since(s, now, span);
-    s->known = now > from && vm_probe_report(&s->probe, from, now, &s->report, err);
+    uint64_t t0 = since(s, now, span);
+    measure(s, hz, err);
     double rate = s->kind == CRT_DIODE_SCREEN ? SAMPLES / span : 0;
     if (t0 >= now || !vm_probe_wave(&s->probe, t0, now, rate, &wave, err))
         return false;
     bool ok = plot(show, &wave, now, span, picture_size(show), image, err);
     vm_probe_wave_free(&wave);
-    vm_probe_forget(&s->probe, before(now, 2 * measured));
+    vm_probe_forget(&s->probe, before(now, 2 * measured_s(hz)));
     return ok;
 }
 
@@ -349,7 +368,7 @@ bool vm_show_scope_save(struct vm_show *show, const char *name, struct crt_error
 {
     struct vm_scope *s = &show->scope;
     char figures[96], curve[96];
-    if (!s->placed || !s->known || !s->probe.diode)
+    if (!s->placed || !s->probe.diode || !measure(s, now_hz(s), err))
         return true;
     int stem = (int)strcspn(name, ".");
     snprintf(figures, sizeof figures, "%.*s-probe.json", stem, name);

@@ -42,23 +42,25 @@ static bool get_ready(struct vm_shown *p, struct crt_error *err)
     return p->sliding != NULL;
 }
 
-/* The step's film, added to those before it. */
+/* The step's film, added to those before it: in parts where the step is long, as the sum begins where a part
+ * does. */
 static bool slide(struct vm_show *show, uint64_t until)
 {
     struct vm_shown *p = show->program;
     struct crt_error err;
-    if (!get_ready(p, &err)) {
-        show->shutter = 0;
-        vm_show_say(show, err.text);
-        return film(show, &p->frame, until);
+    bool ready = get_ready(p, &err), got = false;
+    uint64_t from = p->rig.machine->now, step = until - from, parts = 4 * step / show->shutter + 1;
+    for (uint64_t i = 1; ready && i <= parts; i++) {
+        if (!film(show, &p->piece, from + step * i / parts))
+            return got; /* a debugger holds it */
+        ready = vm_sliding_add(p->sliding, &p->piece, show->shutter, &p->frame, &err);
+        got |= ready;
     }
-    if (!film(show, &p->piece, until))
-        return false;
-    if (vm_sliding_add(p->sliding, &p->piece, show->shutter, &p->frame, &err))
-        return true;
+    if (ready)
+        return got;
     show->shutter = 0;
     vm_show_say(show, err.text);
-    return false;
+    return p->rig.machine->now < until && film(show, &p->frame, until);
 }
 
 void vm_show_expose(struct vm_show *show, uint64_t until)

@@ -146,8 +146,10 @@ static void set_text(const char *item, const struct vm_settings *s, char *text, 
                  value.unit);
 }
 
-/* Names with figures that everybody knows need no word before them. */
-static void item_text(const char *item, const struct vm_versus_side *side, char *text, size_t size)
+/* Names with figures that everybody knows need no word before them. `head`: what the right side's tube and
+ * phosphor are of. */
+static void item_text(const char *item, const struct vm_versus_side *side, enum vm_head head,
+                      char *text, size_t size)
 {
     const struct vm_settings *s = side->settings;
     void *target;
@@ -155,9 +157,9 @@ static void item_text(const char *item, const struct vm_versus_side *side, char 
     const struct vm_option *row = row_of(side->tables, side->table_count, item, length, &target);
     const char *name = row ? row->name : "";
     if (strcmp(name, "tube") == 0)
-        snprintf(text, size, "%s", s->monitor[s->main].row.name);
+        snprintf(text, size, "%s", s->monitor[head].row.name);
     else if (strcmp(name, "phosphor") == 0)
-        snprintf(text, size, "%s", s->monitor[s->main].phosphor.name);
+        snprintf(text, size, "%s", s->monitor[head].phosphor.name);
     else if (strcmp(name, "refresh") == 0)
         snprintf(text, size, "%.4g Hz", crt_rate_hz(s->tick));
     else if (strcmp(name, "mode") == 0)
@@ -188,7 +190,7 @@ static void join_all(const struct vm_versus *v, const struct vm_versus_side side
     for (int i = 0; i < v->count; i++) {
         char part[2][96];
         for (int k = 0; k < 2; k++)
-            item_text(v->item[i] + 2, &side[k], part[k], sizeof part[k]);
+            item_text(v->item[i] + 2, &side[k], side[1].settings->main, part[k], sizeof part[k]);
         if (same_too || strcmp(part[0], part[1]) != 0) {
             join(text[0], part[0]);
             join(text[1], part[1]);

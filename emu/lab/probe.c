@@ -102,6 +102,8 @@ void vm_probe_run(struct vm_probe *probe, struct vm_machine *machine, uint64_t u
 static double refresh_hz(const struct vm_probe *p, uint64_t t0, uint64_t t1)
 {
     int last = p->beats - 1, first = 0;
+    if (p->beats < 2)
+        return NAN;
     while (last > 0 && p->beat[last].end > t1)
         last--;
     while (first < last && p->beat[first].end < t0)

@@ -282,11 +282,8 @@ static bool open_past(struct vm_rig *again, const struct vm_why_desc *desc,
 static bool asks(const struct vm_why *why, const struct vm_why_desc *desc,
                  const struct vm_why_deposit *d, double least)
 {
-    const struct vm_why_names names = {.program = &desc->input->program};
-    const char *file;
-    uint32_t line;
-    return d->named && !d->store.known && d->share >= least && !d->row.overscan &&
-           !(why->place.head == VM_VECTOR && vm_why_source_line(&names, d, &file, &line));
+    bool brought = why->place.head == VM_VECTOR && vm_why_as_loaded(&desc->input->program, d);
+    return d->named && !d->store.known && d->share >= least && !d->row.overscan && !brought;
 }
 
 static bool any_asks(const struct vm_why *why, const struct vm_why_desc *desc)
