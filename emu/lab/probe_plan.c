@@ -68,7 +68,8 @@ static int find_from(struct vm_probe_job *job, struct vm_rig *rig, struct crt_er
             vm_moment_find(rig, &job->o.moment, &job->settings, &job->input, &job->from, err);
         if (status)
             return status;
-        slow = settling(&job->settings.monitor[job->settings.main].phosphor);
+        bool raster = vm_view_now(job->settings.view, m) == VM_VIEW_RASTER;
+        slow = settling(&job->settings.monitor[raster ? VM_RASTER : VM_VECTOR].phosphor);
         if (!job->o.moment.when && !job->signals && loaded == 0)
             job->from += slow - VM_SETTLED_PS;
     }
