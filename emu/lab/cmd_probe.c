@@ -257,7 +257,7 @@ static bool write_all(struct vm_probe_job *job, struct vm_probe *probe,
         (job->o.out && !write_plot(job, probe, report, err)))
         return false;
     if (!goes_to_stdout(job->o.csv) && !goes_to_stdout(job->o.out))
-        vm_probe_print_json(stdout, job, probe, report);
+        vm_probe_json(stdout, job->input.name, probe, report);
     return true;
 }
 

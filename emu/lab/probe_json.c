@@ -134,9 +134,3 @@ void vm_probe_json(FILE *out, const char *program, const struct vm_probe *probe,
     print_eye(out, probe, r);
     fputs("}\n", out);
 }
-
-void vm_probe_print_json(FILE *out, const struct vm_probe_job *job, const struct vm_probe *probe,
-                         const struct vm_probe_report *r)
-{
-    vm_probe_json(out, job->input.name, probe, r);
-}

@@ -48,9 +48,6 @@ struct vm_probe_job {
 /* Runs the program without light: head, place and time. An exit status. */
 int vm_probe_plan(struct vm_probe_job *job, struct crt_error *err);
 
-void vm_probe_print_json(FILE *out, const struct vm_probe_job *job, const struct vm_probe *probe,
-                         const struct vm_probe_report *report);
-
 /* How long light takes to fade until that part of it is still to come: w·e^(−t/tau) of each term is. At most
  * ten seconds. */
 uint64_t vm_probe_fading(const struct crt_phosphor *phosphor, double part);
