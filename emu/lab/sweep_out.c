@@ -37,10 +37,11 @@ static bool put_csv(const struct vm_sweep_out *out, const struct vm_sweep_forms 
                     struct crt_error *err)
 {
     struct vm_out file;
-    if (!vm_out_open(&file, out->csv, err))
-        return false;
-    forms->csv(file.file, forms->what);
-    return vm_out_close(&file, true, err);
+    struct crt_error closing;
+    bool ok = vm_out_open(&file, out->csv, err);
+    if (ok)
+        forms->csv(file.file, forms->what);
+    return vm_out_close(&file, ok, ok ? err : &closing) && ok;
 }
 
 static bool put_picture(const struct vm_sweep_out *out, const struct vm_sweep_forms *forms,
