@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crt/png_file.h"
 #include "emu/command.h"
 #include "emu/lab/probe_parts.h"
 #include "emu/out_file.h"
@@ -223,8 +222,7 @@ static bool write_plot(struct vm_probe_job *job, struct vm_probe *probe,
                                  job->o.projector ? VM_PLOT_PROJECTOR : VM_PLOT_PAPER, job->o.log};
     if (!vm_probe_plot(probe, job->from, job->to, report, &look, &image, err))
         return false;
-    const struct crt_png_text texts[] = {{"Title", title}};
-    bool ok = crt_png_write(job->o.out, &image, texts, 1, err);
+    bool ok = vm_plot_write(job->o.out, &image, title, err);
     crt_image_free(&image);
     return ok;
 }

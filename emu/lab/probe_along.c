@@ -1,7 +1,6 @@
 /* probe_along.c — probe --along: the mean luminance along a line, as JSON, CSV and a plot. */
 #include <math.h>
 
-#include "crt/png_file.h"
 #include "emu/lab/probe_parts.h"
 #include "emu/lab/profile.h"
 #include "emu/out_file.h"
@@ -115,8 +114,7 @@ static bool write_plot(const struct along *a, struct crt_error *err)
     if (!vm_plot_draw(&plot, o->size.width ? o->size : vm_plot_size,
                       o->projector ? VM_PLOT_PROJECTOR : VM_PLOT_PAPER, &image, err))
         return false;
-    const struct crt_png_text texts[] = {{"Title", title}};
-    bool ok = crt_png_write(o->out, &image, texts, 1, err);
+    bool ok = vm_plot_write(o->out, &image, title, err);
     crt_image_free(&image);
     return ok;
 }

@@ -132,6 +132,18 @@ awk -F, -v crest="$(value crest_cd_m2)" -v mean="$(value mean_cd_m2)" -v length_
 report $? "the table has the figures"
 [ "$(od -A n -t x1 -N 8 a.png | tr -d ' ')" = 89504e470d0a1a0a ]
 report $? "the plot is a PNG"
+echo old >kept.png
+echo old >kept.csv
+for kept in png csv; do # a disk that is full after a block
+    case $kept in png) option=-o ;; *) option=--csv ;; esac
+    (
+        trap '' XFSZ
+        ulimit -f 1
+        exec "$KINESCOPE" probe two.df --at 490,512 --along 515,512 $option kept.$kept >out 2>said </dev/null
+    )
+    [ $? -eq 1 ] && [ "$(cat kept.$kept)" = old ] && [ ! -s out ] && [ "$(wc -l <said)" -eq 1 ]
+    report $? "a full disk leaves the old $kept"
+done
 middle=$(awk -F, 'NR == 252 { print $2 }' a.csv)
 works "a photodiode in the middle" two.df --at 502.5,512 --from 1s --to 1.1s
 near "sees the middle of the table" mean_cd_m2 "$middle" "$(awk -v m="$middle" 'BEGIN { print 1e-3 * m }')"
