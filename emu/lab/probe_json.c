@@ -82,7 +82,7 @@ static void print_place(FILE *out, const struct vm_probe *p)
 static void print_light(FILE *out, const struct vm_probe_report *r)
 {
     const struct crt_waveform_figures *f = &r->figures;
-    char name[8];
+    char name[16];
     for (int n = 0; n < CRT_HARMONICS; n++) {
         snprintf(name, sizeof name, "c%d", n + 1);
         number(out, name, f->c[n]);
