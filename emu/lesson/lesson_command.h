@@ -12,9 +12,17 @@
 #include "emu/lesson/lesson.h"
 #include "emu/lesson/lesson_words.h"
 
-/* Whether a lesson may have it as `word`; the file that it names for its result goes into `file`, else "". */
-bool vm_lesson_command_check(enum vm_lesson_word word, const char *text, char *file, size_t size,
-                             struct crt_error *err);
+/* Names of the files that a command itself says it writes. */
+#define VM_LESSON_WRITTEN 8
+struct vm_lesson_written {
+    char name[VM_LESSON_WRITTEN][VM_LESSON_FILE];
+    int count;
+    int shown; /* the one that the page shows; −1: none */
+};
+
+/* Whether a lesson may have it as `word`. What it writes stays within the folder of results. */
+bool vm_lesson_command_check(enum vm_lesson_word word, const char *text,
+                             struct vm_lesson_written *written, struct crt_error *err);
 /* "csv" when it prints CSV, "txt" when it prints something else, "png" of pictures and plots. */
 const char *vm_lesson_command_ending(enum vm_lesson_word word, const char *text);
 

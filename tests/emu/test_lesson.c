@@ -59,7 +59,19 @@ static void mistakes_have_a_line(void **state)
         {HEAD "step a A\ntable trace 'x\n", 5, "not closed"},
         {HEAD "step a A\nplot probe x --csv -\n", 5, "'-' has no meaning"},
         {HEAD "step a A\nplot probe x -o b.png\nstep c C\nplot probe x -o b.png\n", 7,
-         "makes b.png, too"},
+         "b.png is made already"},
+        {HEAD "step a A\nplot probe x\nfigures probe x --csv a.png\n", 6, "a.png is made already"},
+        {HEAD "step a A\nfigures probe x --csv w.csv\nfigures probe x --csv=w.csv\n", 6,
+         "w.csv is made already"},
+        {HEAD "step a A\nplot probe x -o a.png --csv a.png\n", 5, "a.png is made already"},
+        {HEAD "step a A\ntable probe x --csv my.txt\n", 5, "text of the lesson itself"},
+        {HEAD "step a A\nplot probe x -o /tmp/a.png\n", 5, "'/tmp/a.png' is no plain name"},
+        {HEAD "step a A\nplot probe x -o../a.png\n", 5, "'../a.png' is no plain name"},
+        {HEAD "step a A\npicture capture x --out=sub/a.png\n", 5, "no plain name"},
+        {HEAD "step a A\nfigures probe x --save-state .profile\n", 5, "no plain name"},
+        {HEAD "step a A\nfigures sweep length --write /a.df\n", 5, "no plain name"},
+        {HEAD "step a A\npicture compare x y --diff ''\n", 5, "no plain name"},
+        {HEAD "step a A\ntable probe x --csv=-\n", 5, "'-' has no meaning"},
         {HEAD "step a A\nsays words\n", 5, "no command above"},
         {HEAD "step a A\nflashes\n", 5, "needs a picture or plot"},
         {HEAD "step a A\nplot probe x\nflashes\nflashes\n", 7, "said above"},
@@ -217,7 +229,7 @@ static void any_bytes_are_read_or_refused(void **state)
         }
         read++;
         write_again(&l, again);
-        if (!vm_lesson_read(&m, "again", again, strlen(again), &err))
+        if (!vm_lesson_read(&m, "fuzz", again, strlen(again), &err))
             fail_msg("%s, of:\n%s", err.text, again);
         assert_int_equal(l.lines, m.lines);
         for (int i = 0; i < l.lines; i++) {
@@ -256,6 +268,12 @@ static void commands_are_started_elsewhere(void **state)
         {"plot probe \"roms/a b.df\" --csv=w.csv",
          "probe|/k/roms/a b.df|--csv=/out/my/w.csv|--projector|-o|/out/my/a.png",
          "kinescope probe \"roms/a b.df\" --csv=w.csv --projector -o a.png"},
+        {"table trace x.df -ow.txt --from 1s", "trace|x.df|-o/out/my/w.txt|--from|1s",
+         "kinescope trace x.df -ow.txt --from 1s"},
+        {"table disasm x.oct -o again.df", "disasm|x.oct|-o|/out/my/again.df",
+         "kinescope disasm x.oct -o again.df"},
+        {"table measure resolution --csv", "measure|resolution|--csv",
+         "kinescope measure resolution --csv"},
         {"table calc mode 1024x768@60", "calc|mode|1024x768@60", "kinescope calc mode 1024x768@60"},
     };
     (void)state;
