@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crt/png_file.h"
-#include "emu/lab/probe_parts.h"
 #include "emu/out_file.h"
 #include "emu/show.h"
 
@@ -352,17 +350,11 @@ void vm_show_mark_diode(struct vm_show *show)
 static bool save_figures(const struct vm_show *show, const char *path, struct crt_error *err)
 {
     const struct vm_scope *s = &show->scope;
-    struct vm_probe_job *job = calloc(1, sizeof *job);
     struct vm_out out;
-    if (!job)
-        return crt_fail(err, "not enough memory for the figures");
-    memcpy(job->input.name, show->program->input.name, sizeof job->input.name);
     bool ok = vm_out_open(&out, path, err);
     if (ok)
-        vm_probe_print_json(out.file, job, &s->probe, &s->report);
-    ok = vm_out_close(&out, ok, err) && ok;
-    free(job);
-    return ok;
+        vm_probe_json(out.file, show->program->input.name, &s->probe, &s->report);
+    return vm_out_close(&out, ok, err) && ok;
 }
 
 static bool save_plot(struct vm_show *show, const char *path, struct crt_error *err)
@@ -375,7 +367,7 @@ static bool save_plot(struct vm_show *show, const char *path, struct crt_error *
     const struct vm_probe_look as = {.title = title, .style = VM_PLOT_PAPER};
     if (!vm_probe_plot(&s->probe, s->report.t0, s->report.t1, &s->report, &as, &image, err))
         return false;
-    bool ok = crt_png_write(path, &image, NULL, 0, err);
+    bool ok = vm_plot_write(path, &image, title, err);
     crt_image_free(&image);
     return ok;
 }

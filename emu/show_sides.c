@@ -64,8 +64,10 @@ void vm_show_name_sides(struct vm_show *show)
     if (show->sides < 2)
         return;
     for (int i = 0; i < VM_SIDES; i++)
-        side[i] = (struct vm_versus_side){show->desc->tables[i], VM_SHOW_TABLES,
-                                          &show->side[i]->settings};
+        side[i] = (struct vm_versus_side){
+            show->desc->tables[i], VM_SHOW_TABLES, &show->side[i]->settings,
+            show->side[i]->rig.buffer ? &show->side[i]->rig.machine->raster.timing : NULL,
+            show->side[i]->view};
     vm_versus_captions(show->desc->versus, side, text);
     memcpy(show->caption, text, sizeof show->caption);
     plain(text[0]);

@@ -137,6 +137,7 @@ void vm_show_status(struct vm_show *show, double now)
     for (int i = 0; i < show->sides; i++)
         measure_rate(show->side[i]);
     vm_show_warn(show);
+    vm_show_name_sides(show); /* views and modes change */
     vm_show_describe_time(show, time, sizeof time);
     describe_scale(show, scale, 64);
     describe_exposure(show, scale + strlen(scale), sizeof scale - strlen(scale));

@@ -1,7 +1,6 @@
 /* show_why.c — Right Ctrl with a click: what put the light there, as a panel over the picture at rest. */
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "emu/lab/why_text.h"
 #include "emu/show.h"
@@ -51,17 +50,6 @@ static void keep(void *ctx, const char *line)
     l->count += l->line[l->count] != NULL;
 }
 
-/* Octal words and tapes have lines, but no source. */
-static struct vm_why_names names_of(const struct vm_shown *p, const struct vm_source_lines *lines)
-{
-    const struct df_program *program = &p->input.program;
-    const char *dot = program->file_count ? strrchr(program->files[0], '.') : NULL;
-    bool source = program->words && dot && strcasecmp(dot, ".df") == 0;
-    return (struct vm_why_names){.program = source ? program : NULL,
-                                 .elf = p->input.has_firmware ? &p->input.elf : NULL,
-                                 .lines = lines};
-}
-
 static void show_answer(struct vm_show *show, const struct vm_shown *p, const struct vm_why *why,
                         bool lower)
 {
@@ -69,8 +57,10 @@ static void show_answer(struct vm_show *show, const struct vm_shown *p, const st
     struct vm_source_lines *source = NULL;
     if (p->input.has_firmware)
         source = vm_source_lines_open((const uint8_t *)p->input.image, p->input.image_size);
-    const struct vm_why_text text = {
-        .names = names_of(p, source), .columns = COLUMNS, .most = LINES - 2, .least = LEAST};
+    const struct vm_why_text text = {.names = vm_why_names_of(&p->input, source),
+                                     .columns = COLUMNS,
+                                     .most = LINES - 2,
+                                     .least = LEAST};
     vm_why_lines(why, &text, keep, &lines);
     keep(&lines, "");
     keep(&lines, "Any key closes this; F5 goes on.");

@@ -163,11 +163,11 @@ static void item_text(const char *item, const struct vm_versus_side *side, enum 
     else if (strcmp(name, "refresh") == 0)
         snprintf(text, size, "%.4g Hz", crt_rate_hz(s->tick));
     else if (strcmp(name, "mode") == 0)
-        ras_timing_name(&s->timing, text, size);
+        ras_timing_name(side->timing ? side->timing : &s->timing, text, size);
     else if (strcmp(name, "personality") == 0)
         snprintf(text, size, "%s", s->personality == DF_VS60 ? "VS60" : "VT11");
     else if (strcmp(name, "view") == 0)
-        snprintf(text, size, "%s", vm_view_name(s->view));
+        snprintf(text, size, "%s", vm_view_name(side->view));
     else if (strcmp(name, "set") == 0)
         set_text(item + length + 1, s, text, size);
     else if (row)

@@ -37,6 +37,9 @@ struct vm_versus_side {
     const struct vm_option_table *tables;
     size_t table_count;
     const struct vm_settings *settings;
+    const struct ras_timing
+        *timing;       /* that the raster head runs in by now; NULL: of the settings */
+    enum vm_view view; /* wanted by now */
 };
 /* What each side is called: what differs, in the same words for either; what was said but is the same on both
  * is left out, unless all is. UTF-8. */

@@ -71,7 +71,7 @@ static void print_place(FILE *out, const struct vm_probe *p)
 static void print_light(FILE *out, const struct vm_probe_report *r)
 {
     const struct crt_waveform_figures *f = &r->figures;
-    char name[8];
+    char name[16];
     for (int n = 0; n < CRT_HARMONICS; n++) {
         snprintf(name, sizeof name, "c%d", n + 1);
         vm_probe_put_number(out, name, f->c[n]);
@@ -122,10 +122,4 @@ void vm_probe_json(FILE *out, const char *program, const struct vm_probe *probe,
     print_light(out, r);
     print_eye(out, probe, r);
     fputs("}\n", out);
-}
-
-void vm_probe_print_json(FILE *out, const struct vm_probe_job *job, const struct vm_probe *probe,
-                         const struct vm_probe_report *r)
-{
-    vm_probe_json(out, job->input.name, probe, r);
 }

@@ -377,7 +377,9 @@ static void texts_are_printed_as_json(void **state)
         struct crt_error err;
         size_t length = next_random(sizeof text);
         for (size_t i = 0; i < length; i++) {
-            text[i] = (char)(next_random(3) ? 1 + next_random(255) : "\"\\\n/"[next_random(4)]);
+            text[i] = (char)(1 + next_random(255));
+            if (next_random(3) == 0)
+                text[i] = "\"\\\n/"[next_random(4)];
             read[i] = (unsigned char)text[i] < ' ' ? ' ' : text[i];
         }
         text[length] = read[length] = '\0';

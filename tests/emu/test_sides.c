@@ -121,7 +121,8 @@ static void captions_of(const char *text, char captions[2][VM_VERSUS_CAPTION])
     for (int k = 0; k < 2; k++) {
         if (vm_settings_resolve(&side[k].options, NULL, NULL, &side[k].settings, &err))
             fail_msg("%s", err.text);
-        named[k] = (struct vm_versus_side){&side[k].table, 1, &side[k].settings};
+        named[k] = (struct vm_versus_side){&side[k].table, 1, &side[k].settings, NULL,
+                                           side[k].settings.view};
     }
     vm_versus_captions(&v, named, captions);
     for (int k = 0; k < 2; k++)
