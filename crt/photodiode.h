@@ -4,15 +4,20 @@
  *      strokes, scan lines since ──▶ deposits (those that reach the place) ────────────┴─▶ cd/m² at any instant
  *
  * Models:     an ideal sensor of luminance: a point, the mean within a disc, or the mean over the whole
- *             screen. Every piece is integrated in closed form, as in crt_tube_probe(), in double
- *             precision: no film, no cells, no sampling rate. Light that was there when it was opened on
- *             a tube that has run before comes from the planes (accuracy: crt_tube_probe); a diode opened
- *             at power-on is exact throughout.
+ *             screen. What a piece puts there is a polynomial of time, span by span (crt/flux.h), and its
+ *             integrals against the phosphor's exponentials are exact: no film, no cells, no sampling rate.
+ * Accuracy:   point: 2e-6 of the highest rate at an instant, 1e-9 once a piece is done; disc: 1e-5 of what is seen of a
+ *             spot in its middle; screen: strokes exact, scan lines 1e-5 of a full line. Light that was there when it
+ *             was opened on a tube that has run before comes from the planes (accuracy: crt_tube_probe; discs by
+ *             quadrature; the whole screen from the cells of the grid alone); a diode opened at power-on
+ *             has no such light.
  * Observing:  never changes the tube: it is fed as films are. It works with any grid, a close-up's, too:
  *             pieces are integrated where they fall, not where cells are.
  * Time:       picoseconds. Luminance can be asked for from `from`, when it was opened or what came before was
  *             forgotten, to the `now` of the tube's last advance.
  * Units:      mm of the screen, cd/m², fluence cd·s/m²; per phosphor colour, as crt_tube_probe().
+ * Threads:    reading moves what the diode keeps: one thread at a time for a diode, and none while its tube is
+ *             advanced. What is read does not depend on what was read before.
  * Ownership:  crt_photodiode_open allocates and joins the tube's list, crt_photodiode_close leaves it and
  *             frees; close it before the tube is destroyed. Loading a snapshot into the tube restarts the
  *             diode there: its deposits are gone.
@@ -63,15 +68,17 @@ double crt_photodiode_luminance(struct crt_photodiode *diode, uint64_t t);
 /* The same by phosphor term: desc.phosphor->term[k] of the tube gives terms[k]. */
 void crt_photodiode_terms(struct crt_photodiode *diode, uint64_t t, double cd_m2[CRT_MAX_TERMS]);
 
-/* Deposits since `from`, in order of their t0; valid until the next advance of the tube or forgetting. */
+/* Deposits since `from`, in order of their t0; one that was being drawn then is among them, from there on. Valid until
+ * the next advance of the tube or forgetting. */
 const struct crt_deposit *crt_photodiode_deposits(const struct crt_photodiode *diode,
                                                   size_t *count);
 /* What deposit i gives of the luminance at t, cd/m², all colours; and what light from before `from` gives.
  * The sum over all deposits begun before t, and of the latter, is crt_photodiode_luminance to rounding. */
-double crt_photodiode_share(const struct crt_photodiode *diode, size_t i, uint64_t t);
+double crt_photodiode_share(struct crt_photodiode *diode, size_t i, uint64_t t);
 double crt_photodiode_older(const struct crt_photodiode *diode, uint64_t t);
 
-/* Forgets deposits before t: their light goes on as stored light; `from` becomes t. */
+/* Forgets deposits that were done before t: their light goes on as stored light; `from` becomes t. Nothing read from
+ * then on changes by a bit. The indices of those that stay move down. */
 void crt_photodiode_forget(struct crt_photodiode *diode, uint64_t t);
 
 /* ∫ of the luminance over [t0, t1), cd·s/m² per colour; and ∫ luminance·e^(−j2π·hz·(t − t0)), all colours

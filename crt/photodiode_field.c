@@ -5,6 +5,7 @@
  *             full dot. */
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "crt/maths.h"
 #include "crt/photodiode_parts.h"
@@ -66,15 +67,38 @@ static double known(const struct field *f, int from, int to)
     return *at;
 }
 
+/* A dot's drive that the amplifier has reached, in parts of a step. */
+#define REACHED 1e-9
+
+/* How many dots from `i` on are as dot i. */
+static int run_of(const uint8_t *drive, int i, int dots)
+{
+    int n = i + 1;
+    uint8_t eight[8];
+    memset(eight, drive[i], sizeof eight);
+    while (n + 8 <= dots && memcmp(drive + n, eight, sizeof eight) == 0)
+        n += 8;
+    while (n < dots && drive[n] == drive[i])
+        n++;
+    return n - i;
+}
+
 /* Of one gun; the amplifier's output as a dot's value, 0…255. */
 static double mean_of(const struct field *f, const uint8_t *drive, int dots)
 {
     double v = 0, fade = crt_exp(-f->dot_s / f->amplifier_s), sum = 0;
-    for (int i = 0; i < dots; i++) {
+    for (int i = 0; i < dots;) {
+        if (fabs(v - drive[i]) < REACHED) {
+            int run = run_of(drive, i, dots);
+            sum += run * known(f, drive[i], drive[i]);
+            i += run;
+            continue;
+        }
         int below = (int)fmin(fmax(v, 0), 254);
         double low = known(f, below, drive[i]), part = v - below;
-        sum += part > 1e-9 ? low + part * (known(f, below + 1, drive[i]) - low) : low;
+        sum += low + part * (known(f, below + 1, drive[i]) - low);
         v = drive[i] + (v - drive[i]) * fade;
+        i++;
     }
     return sum / dots;
 }

@@ -36,7 +36,7 @@ static const struct vm_option rows[] = {
      "under each picture its time, what the display processor or the raster head is at, and where "
      "the beam is",
      0, 0},
-    {"versus", 0, VM_OPT_STRING, ROW(versus), "NAME=VALUE;…",
+    {"versus", 0, VM_OPT_STRING, ROW(versus), "NAME=VALUE;...",
      "beside it the same program on another machine, to the same instants: options without dashes "
      "that are different there, such as 'phosphor=P31;refresh=30;set.spot=0.5'; time events are "
      "the "
@@ -206,7 +206,8 @@ static void name_sides(struct vm_capture *c)
 {
     struct vm_versus_side named[VM_SIDES];
     for (int i = 0; i < VM_SIDES; i++)
-        named[i] = (struct vm_versus_side){c->side[i].tables, VM_SIDE_TABLES, &c->side[i].settings};
+        named[i] = (struct vm_versus_side){c->side[i].tables, VM_SIDE_TABLES, &c->side[i].settings,
+                                           &c->side[i].timing, c->side[i].view};
     vm_versus_captions(&c->versus, named, c->caption);
 }
 

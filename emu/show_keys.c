@@ -16,7 +16,7 @@ static const char *const help[] = {
     "F4\tphotodiode and oscilloscope: a click places it; F4 puts it away",
     "F5\tpause, go on",
     "F6\tone refresh, then pause",
-    "F7 F8\tslower, faster (Shift: by ten), down to a millionth: single strokes of the beam",
+    "F7 F8\tslower, faster (Shift: by ten), down to a millionth: the beam on its way",
     "F9\twhat the mouse is: light pen, stylus, finger, mouse",
     "F11\tfull screen",
     "F12\tscreenshot",
@@ -37,6 +37,10 @@ static const char *const help[] = {
     "1\treal time again",
     "N P\tnext and previous program of the tour",
     "Q\tquit",
+    "Flicker as fast as this monitor's pictures cannot be seen here as on the tube: slow motion "
+    "and the "
+    "oscilloscope show it. Pictures that flash 3 to 30 times a second may harm people with "
+    "photosensitive epilepsy: L, or run --no-flash, shows them without.",
     "A file dropped on the window is shown. All other keys belong to the program; the left Ctrl "
     "key "
     "with F1 to F12 is its F1 to F12.",
@@ -105,11 +109,20 @@ static void say_knob(struct vm_show *show)
     vm_show_say(show, text);
 }
 
+/* The heads that are seen of any machine. */
+static unsigned seen(const struct vm_show *show)
+{
+    unsigned heads = 0;
+    for (int i = 0; i < show->sides; i++)
+        heads |= (unsigned)show->side[i]->view_drawn;
+    return heads;
+}
+
 /* Of the monitors that are looked at; they are turned together. */
 static void set_knobs(struct vm_show *show)
 {
     for (int h = 0; h < VM_HEADS; h++)
-        if (show->program->rig.tube[h] && (show->view_drawn & 1 << h))
+        if (show->program->rig.tube[h] && (seen(show) & 1u << h))
             vm_show_turn(show, (enum vm_head)h);
 }
 
@@ -164,13 +177,12 @@ static void screenshot(struct vm_show *show)
     do
         snprintf(name, sizeof name, "kinescope-%03d.png", ++show->shots);
     while (show->shots < 999 && access(name, F_OK) == 0);
-    bool ok = vm_show_picture(show, &image, &err);
+    bool ok = vm_show_scope_save(show, name, &err) && vm_show_picture(show, &image, &err);
     if (ok) {
         ok = vm_picture_write(name, &image, show->program->input.name, &show->program->settings,
-                              show->view_drawn, vm_show_frame(show), &err);
+                              show->program->view_drawn, vm_show_frame(show, show->program), &err);
         crt_image_free(&image);
     }
-    ok = ok && vm_show_scope_save(show, name, &err);
     snprintf(text, sizeof text, "screenshot %s", name);
     vm_show_say(show, ok ? text : err.text);
 }

@@ -146,8 +146,10 @@ static void set_text(const char *item, const struct vm_settings *s, char *text, 
                  value.unit);
 }
 
-/* Names with figures that everybody knows need no word before them. */
-static void item_text(const char *item, const struct vm_versus_side *side, char *text, size_t size)
+/* Names with figures that everybody knows need no word before them. `head`: what the right side's tube and
+ * phosphor are of. */
+static void item_text(const char *item, const struct vm_versus_side *side, enum vm_head head,
+                      char *text, size_t size)
 {
     const struct vm_settings *s = side->settings;
     void *target;
@@ -155,17 +157,17 @@ static void item_text(const char *item, const struct vm_versus_side *side, char 
     const struct vm_option *row = row_of(side->tables, side->table_count, item, length, &target);
     const char *name = row ? row->name : "";
     if (strcmp(name, "tube") == 0)
-        snprintf(text, size, "%s", s->monitor[s->main].row.name);
+        snprintf(text, size, "%s", s->monitor[head].row.name);
     else if (strcmp(name, "phosphor") == 0)
-        snprintf(text, size, "%s", s->monitor[s->main].phosphor.name);
+        snprintf(text, size, "%s", s->monitor[head].phosphor.name);
     else if (strcmp(name, "refresh") == 0)
         snprintf(text, size, "%.4g Hz", crt_rate_hz(s->tick));
     else if (strcmp(name, "mode") == 0)
-        ras_timing_name(&s->timing, text, size);
+        ras_timing_name(side->timing ? side->timing : &s->timing, text, size);
     else if (strcmp(name, "personality") == 0)
         snprintf(text, size, "%s", s->personality == DF_VS60 ? "VS60" : "VT11");
     else if (strcmp(name, "view") == 0)
-        snprintf(text, size, "%s", vm_view_name(s->view));
+        snprintf(text, size, "%s", vm_view_name(side->view));
     else if (strcmp(name, "set") == 0)
         set_text(item + length + 1, s, text, size);
     else if (row)
@@ -182,13 +184,13 @@ static void join(char *text, const char *part)
         snprintf(text + n, VM_VERSUS_CAPTION - n, "%s%s", n ? " \xC2\xB7 " : "", part);
 }
 
-static void join_all(const struct vm_versus *v, const struct vm_versus_side side[2], bool same_too,
-                     char text[2][VM_VERSUS_CAPTION])
+static void join_all(const struct vm_versus *v, const struct vm_versus_side side[VM_SIDES],
+                     bool same_too, char text[VM_SIDES][VM_VERSUS_CAPTION])
 {
     for (int i = 0; i < v->count; i++) {
         char part[2][96];
         for (int k = 0; k < 2; k++)
-            item_text(v->item[i] + 2, &side[k], part[k], sizeof part[k]);
+            item_text(v->item[i] + 2, &side[k], side[1].settings->main, part[k], sizeof part[k]);
         if (same_too || strcmp(part[0], part[1]) != 0) {
             join(text[0], part[0]);
             join(text[1], part[1]);
@@ -196,8 +198,8 @@ static void join_all(const struct vm_versus *v, const struct vm_versus_side side
     }
 }
 
-void vm_versus_captions(const struct vm_versus *v, const struct vm_versus_side side[2],
-                        char text[2][VM_VERSUS_CAPTION])
+void vm_versus_captions(const struct vm_versus *v, const struct vm_versus_side side[VM_SIDES],
+                        char text[VM_SIDES][VM_VERSUS_CAPTION])
 {
     text[0][0] = text[1][0] = '\0';
     join_all(v, side, false, text);

@@ -85,9 +85,13 @@ static int run(int argc, char **argv)
     struct crt_error err;
     struct crt_catalogue catalogue;
     struct vm_sweep s = {0};
-    int status = vm_command_parse(&vm_command_sweep, tables, 1, argc, argv, &args, 0, 0);
+    int status = vm_command_parse(&vm_command_sweep, tables, 1, argc, argv, &args, 0, 1);
     if (status >= 0)
         return status;
+    if (args.count > 0) {
+        crt_fail(&err, "'%.60s' cannot be swept; give options only, or length first", args.item[0]);
+        return vm_command_fail(&vm_command_sweep, VM_EXIT_USAGE, &err);
+    }
     status = vm_sweep_out_check(&o.out, &err);
     if (!status && !crt_catalogue_init(&catalogue, &err))
         status = VM_EXIT_TROUBLE;

@@ -2,7 +2,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "emu/command.h"
 #include "emu/lab/why_text.h"
@@ -45,7 +44,10 @@ static const struct vm_option rows[] = {
     {"all", 0, VM_OPT_FLAG, ROW(all), "",
      "list every deposit by itself, not all of a source line, word or scan line together", 0, 0},
     {"least", 0, VM_OPT_REAL, ROW(least), "PERCENT",
-     "sum up what gives less than this part of the light in one line; default 0.01", 0, 100},
+     "sum up what gives less than this part of the light in one line; default 0.01; what gives "
+     "less than "
+     "1e-5 has faded, and is never listed",
+     0, 100},
     {"order", 0, VM_OPT_CHOICE, ROW(order), "share|time",
      "the largest share first (default), or the latest", 0, 0},
     {"symbols", 0, VM_OPT_STRING, ROW(symbols), "FILE.elf",
@@ -115,15 +117,12 @@ static bool take_symbols(struct asking *a, struct crt_error *err)
     return true;
 }
 
-/* Octal words and tapes have lines, but no source. */
 static struct vm_why_names names_of(const struct asking *a)
 {
-    const struct df_program *p = &a->input.program;
-    const char *dot = p->file_count ? strrchr(p->files[0], '.') : NULL;
-    bool source = p->words && dot && strcasecmp(dot, ".df") == 0;
-    return (struct vm_why_names){.program = source ? p : NULL,
-                                 .elf = a->symbols ? &a->elf : &a->input.elf,
-                                 .lines = a->lines};
+    struct vm_why_names names = vm_why_names_of(&a->input, a->lines);
+    if (a->symbols)
+        names.elf = &a->elf;
+    return names;
 }
 
 /* ---- when, and of which head ----------------------------------------------------------------- */

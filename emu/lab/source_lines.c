@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "emu/memmap.h"
+
 /* Up to `end` the code is of this line. Rows do not overlap. */
 struct row {
     uint32_t address, end;
@@ -38,39 +40,28 @@ static bool push(struct vm_source_lines *l, const struct row *row)
     return true;
 }
 
-/* "./roms/hello.c" is "roms/hello.c". */
+/* "./roms/hello.c" is "roms/hello.c"; libraries were built in folders that are no longer there. */
 static const char *file_of(Dwarf_Line *line)
 {
     const char *file = dwarf_linesrc(line, NULL, NULL);
-    while (file && strncmp(file, "./", 2) == 0)
-        file += 2;
+    while (file && (strncmp(file, "./", 2) == 0 || strncmp(file, "../", 3) == 0))
+        file += file[1] == '/' ? 2 : 3;
     return file ? file : "?";
 }
 
-/* Whether a sequence that begins at row i is of code that the linker has thrown away: it is said to be
- * at 0 then. */
-static bool discarded(Dwarf_Lines *lines, size_t i)
-{
-    Dwarf_Addr address = 0;
-    return dwarf_lineaddr(dwarf_onesrcline(lines, i), &address) != 0 || address == 0;
-}
-
-/* The rows of one table, each up to the next. */
+/* The rows of one table, in order of address, each up to the next. Code that the linker has thrown away
+ * is said to be at 0, where no program is. */
 static bool take_table(struct vm_source_lines *l, Dwarf_Lines *lines, size_t count)
 {
-    bool skip = false, begins = true;
     for (size_t i = 0; i + 1 < count; i++) {
         Dwarf_Line *line = dwarf_onesrcline(lines, i);
         Dwarf_Addr address = 0, next = 0;
-        bool ends = false;
+        bool ends = true;
         int number = 0;
-        if (begins)
-            skip = discarded(lines, i);
         dwarf_lineendsequence(line, &ends);
-        begins = ends;
-        if (ends || skip || dwarf_lineaddr(line, &address) != 0 ||
+        if (ends || dwarf_lineaddr(line, &address) != 0 || dwarf_lineno(line, &number) != 0 ||
             dwarf_lineaddr(dwarf_onesrcline(lines, i + 1), &next) != 0 || next <= address ||
-            next > UINT32_MAX || dwarf_lineno(line, &number) != 0)
+            address < MAP_PROGRAM || next > MAP_PROGRAM + (Dwarf_Addr)MAP_PROGRAM_SIZE)
             continue;
         const struct row row = {(uint32_t)address, (uint32_t)next, number, file_of(line), 0};
         if (!push(l, &row))

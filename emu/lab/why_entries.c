@@ -64,6 +64,7 @@ static size_t gather(struct vm_why_entry *at, const struct item *item, size_t co
             at[made++] = (struct vm_why_entry){0};
         struct vm_why_entry *e = &at[made - 1];
         e->last = d;
+        e->deposits++;
         e->share += d->share;
         if (d->share >= faded) {
             e->pieces++;
@@ -77,10 +78,10 @@ static void hide_small(struct vm_why_entries *e, double least)
 {
     size_t kept = 0;
     for (size_t i = 0; i < e->count; i++)
-        if (e->at[i].share >= least) {
+        if (e->at[i].share >= least && e->at[i].pieces > 0) {
             e->at[kept++] = e->at[i];
         } else {
-            e->hidden += e->at[i].pieces;
+            e->hidden += e->at[i].deposits;
             e->hidden_share += e->at[i].share;
         }
     e->count = kept;

@@ -15,7 +15,7 @@
 
 struct vm_why_entry {
     const struct vm_why_deposit *last; /* its latest deposit */
-    size_t pieces;                     /* deposits that have not faded */
+    size_t deposits, pieces;           /* all of them; those that have not faded */
     double share;                      /* cd/m², of all of them */
     double fluence;                    /* cd·s/m², of those that have not faded */
 };

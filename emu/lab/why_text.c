@@ -7,83 +7,20 @@
 
 #include "emu/lab/why_entries.h"
 #include "emu/lab/why_words.h"
-
-/* Below this a dark-adapted eye sees nothing: about the absolute threshold of large, long-lasting lights,
- * 1e-6 cd/m² (Blackwell 1946, J. Opt. Soc. Am. 36, 624; rounded). */
-#define DARK_CD_M2 1e-6
+#include "emu/lab/why_writer.h"
 
 /* How many sources the sentence names. */
-#define NAMED       3
-#define LEAST_NAMED 0.01
+#define NAMED        3
+#define LEAST_NAMED  0.01
+#define LEAST_OTHERS 1e-5 /* in it at all */
 
 /* A share above this is "all". */
 #define ALL 0.9995
 
-/* Less than this part of the light is not worth a word. */
-#define FADED       1e-7
-#define LEAST_SHORT 5e-4
-
-/* From here on a sentence and a table of figures have room; below it lines are short. */
-#define WIDE 80
-
-#define TEXT_MAX 1600
-
-/* ---- lines ----------------------------------------------------------------------------------- */
-
-struct writer {
-    const struct vm_why *why;
-    const struct vm_why_text *text;
-    void (*line)(void *ctx, const char *line);
-    void *ctx;
-    int written;
-    struct vm_why_store store; /* the last one said */
-};
-
-static bool full(const struct writer *w)
-{
-    return w->text->most > 0 && w->written >= w->text->most;
-}
-
-static void put(struct writer *w, const char *line)
-{
-    if (full(w))
-        return;
-    w->line(w->ctx, line);
-    w->written++;
-}
-
-/* How much of `text` a line of `room` letters takes: whole words, as long as they fit. */
-static int taken(const char *text, int room)
-{
-    int length = (int)strlen(text), cut = room;
-    if (length <= room)
-        return length;
-    while (cut > 0 && text[cut] != ' ')
-        cut--;
-    return cut > 0 ? cut : room;
-}
-
-/* `text` after `lead`, on as many lines as it takes; the later ones are indented by lead's length. */
-static void wrap(struct writer *w, const char *lead, const char *text)
-{
-    char line[TEXT_MAX];
-    int columns = w->text->columns < 40 ? 40 : w->text->columns, indent = (int)strlen(lead);
-    indent = indent < columns - 16 ? indent : columns - 16;
-    columns = columns < TEXT_MAX - 1 ? columns : TEXT_MAX - 1;
-    for (bool first = true; first || *text; first = false) {
-        int n = taken(text, columns - indent);
-        snprintf(line, sizeof line, "%-*.*s%.*s", indent, indent, first ? lead : "", n, text);
-        put(w, line);
-        text += n;
-        while (*text == ' ')
-            text++;
-    }
-}
-
 /* ---- the sentence ---------------------------------------------------------------------------- */
 
 struct sentence {
-    char text[TEXT_MAX];
+    char text[VM_WHY_TEXT];
     size_t used;
 };
 
@@ -94,28 +31,11 @@ static void add(struct sentence *s, const char *text)
     s->used += (size_t)n < room ? (size_t)n : room;
 }
 
-/* "91 %", "0.02 %" */
-static void percent(double part, char *text, size_t size)
-{
-    double p = 100 * part;
-    snprintf(text, size, p >= 99.95 ? "%.0f %%" : p >= 9.95 ? "%.1f %%" : "%.2g %%", p);
-}
-
-static double part_of(const struct vm_why *why, double cd_m2)
-{
-    return why->luminance > 0 ? cd_m2 / why->luminance : 0;
-}
-
-static void ago(const struct vm_why *why, uint64_t t, char *text, size_t size)
-{
-    vm_format_time(why->t > t ? why->t - t : 0, text, size);
-}
-
 /* "(drawn 2.1 ms ago)", "(drawn 12 times, last 2.1 ms ago, by what main stored)" */
-static void add_drawn(struct sentence *s, struct writer *w, const struct vm_why_entry *e)
+static void add_drawn(struct sentence *s, struct vm_why_writer *w, const struct vm_why_entry *e)
 {
     char when[32], text[300], code[200];
-    ago(w->why, e->last->t0, when, sizeof when);
+    vm_why_ago(w->why, e->last->t0, when, sizeof when);
     if (e->pieces == 1)
         snprintf(text, sizeof text, " (drawn %s ago", when);
     else
@@ -130,7 +50,7 @@ static void add_drawn(struct sentence *s, struct writer *w, const struct vm_why_
     add(s, ")");
 }
 
-static void add_sources(struct sentence *s, struct writer *w, const struct vm_why_entries *e)
+static void add_sources(struct sentence *s, struct vm_why_writer *w, const struct vm_why_entries *e)
 {
     char text[128], share[24];
     double rest = e->hidden_share;
@@ -142,7 +62,7 @@ static void add_sources(struct sentence *s, struct writer *w, const struct vm_wh
             others += entry->pieces;
             continue;
         }
-        percent(part_of(w->why, entry->share), share, sizeof share);
+        vm_why_percent(vm_why_part(w->why, entry->share), share, sizeof share);
         snprintf(text, sizeof text, "%s%s from ", i ? ", " : "",
                  entry->share > ALL * w->why->luminance ? "all of it" : share);
         add(s, text);
@@ -150,27 +70,22 @@ static void add_sources(struct sentence *s, struct writer *w, const struct vm_wh
         add(s, text);
         add_drawn(s, w, entry);
     }
-    if (others > 0 && rest > 0) {
-        percent(part_of(w->why, rest), share, sizeof share);
+    if (others > 0 && rest > LEAST_OTHERS * w->why->luminance) {
+        vm_why_percent(vm_why_part(w->why, rest), share, sizeof share);
         snprintf(text, sizeof text, ", %s from %zu other piece%s", share, others,
                  others > 1 ? "s" : "");
         add(s, text);
     }
 }
 
-static bool has_older(const struct vm_why *why)
-{
-    return why->older > FADED * why->luminance;
-}
-
 /* What was there when the record began. */
 static void add_older(struct sentence *s, const struct vm_why *why, bool first)
 {
     char text[128], share[24], when[32];
-    if (!has_older(why))
+    if (!vm_why_has_older(why))
         return;
-    percent(part_of(why, why->older), share, sizeof share);
-    ago(why, why->from, when, sizeof when);
+    vm_why_percent(vm_why_part(why, why->older), share, sizeof share);
+    vm_why_ago(why, why->from, when, sizeof when);
     snprintf(text, sizeof text, "%s%s from more than %s ago, before what is remembered",
              first ? "" : ", ", share, when);
     add(s, text);
@@ -182,7 +97,7 @@ static void add_head(struct sentence *s, const struct vm_why *why)
     vm_format_seconds(why->t, when, sizeof when);
     snprintf(text, sizeof text, "at (%.6g, %.6g) the screen ", why->place.x, why->place.y);
     add(s, text);
-    if (why->luminance >= DARK_CD_M2)
+    if (why->luminance >= VM_WHY_DARK)
         snprintf(text, sizeof text, "shows %.4g cd/m2 at %s: ", why->luminance, when);
     else if (why->luminance > 0)
         snprintf(text, sizeof text, "is dark at %s (%.2g cd/m2, too little to be seen): ", when,
@@ -194,62 +109,91 @@ static void add_head(struct sentence *s, const struct vm_why *why)
 
 /* ---- in the dark ----------------------------------------------------------------------------- */
 
-static void say_nearest(struct writer *w)
+/* Mean luminance of what was drawn lately, cd/m². */
+static double lately(const struct vm_why *why)
+{
+    const double seconds = (double)VM_WHY_LATELY / (double)CRT_PS_PER_S;
+    uint64_t from = why->t > VM_WHY_LATELY ? why->t - VM_WHY_LATELY : 0;
+    double fluence = 0;
+    for (size_t i = 0; i < why->count; i++)
+        if (why->deposit[i].t0 >= from)
+            fluence += why->deposit[i].fluence;
+    return fluence / seconds;
+}
+
+/* Between two refreshes a quick phosphor is dark; the eye is slower. */
+static void say_faded(struct vm_why_writer *w)
 {
     const struct vm_why *why = w->why;
-    char text[TEXT_MAX], source[128], what[200], when[32];
+    char text[200], when[32], span[32];
+    vm_why_ago(why, why->deposit[why->count - 1].t0, when, sizeof when);
+    vm_format_time(VM_WHY_LATELY, span, sizeof span);
+    snprintf(text, sizeof text,
+             "It was lit %s ago and has faded since: the light of the last %s has a mean of %.4g "
+             "cd/m2.",
+             when, span, lately(why));
+    vm_why_wrap(w, "", text);
+}
+
+static void say_nearest(struct vm_why_writer *w)
+{
+    const struct vm_why *why = w->why;
+    char text[VM_WHY_TEXT], source[128], what[200], when[32];
     if (!why->near) {
         vm_format_time(VM_WHY_LATELY, when, sizeof when);
         snprintf(text, sizeof text, "In the last %s the beam was lit nowhere.", when);
-        wrap(w, "", text);
+        vm_why_wrap(w, "", text);
         return;
     }
     vm_why_say_source(why, &w->text->names, &why->nearest, source, sizeof source);
     vm_why_say_what(why, &why->nearest, what, sizeof what);
-    ago(why, why->nearest.t0, when, sizeof when);
+    vm_why_ago(why, why->nearest.t0, when, sizeof when);
+    bool words = why->place.head == VM_VECTOR && why->nearest.named;
     if (why->place.head == VM_RASTER)
         snprintf(source, sizeof source, "dot %d of scan line %d", (int)why->nearest.row.dot,
                  (int)(int32_t)why->nearest.source);
     snprintf(text, sizeof text, "The lit beam came nearest with %s, %.3g mm away, %s ago%s%s",
-             source, why->nearest_mm, when, why->place.head == VM_VECTOR ? ": " : ".",
-             why->place.head == VM_VECTOR && !why->recording ? what : "");
-    wrap(w, "", text);
+             source, why->nearest_mm, when, words ? ": " : ".", words ? what : "");
+    vm_why_wrap(w, "", text);
 }
 
 /* On the raster head somebody has stored black. */
-static void say_passed(struct writer *w)
+static void say_passed(struct vm_why_writer *w)
 {
     const struct vm_why *why = w->why;
-    char text[TEXT_MAX], what[200], when[32], store[400];
+    char text[VM_WHY_TEXT], what[200], when[32], store[400];
     if (!why->passed)
         return;
-    ago(why, why->at_place.t0, when, sizeof when);
+    const char *nobody = why->power_on ? "to which nobody has stored"
+                                       : "to which nobody has stored since the record began";
+    vm_why_ago(why, why->at_place.t0, when, sizeof when);
     vm_why_say_what(why, &why->at_place, what, sizeof what);
     vm_why_say_store(why, &w->text->names, &why->at_place, false, store, sizeof store);
     snprintf(text, sizeof text, "The beam passed there %s ago: %s, %s.", when, what,
-             store[0] ? store : "which nobody has stored to");
-    wrap(w, "", text);
+             store[0] ? store : nobody);
+    vm_why_wrap(w, "", text);
 }
 
 /* ---- the table ------------------------------------------------------------------------------- */
 
-static void put_head(struct writer *w)
+static void put_head(struct vm_why_writer *w)
 {
-    put(w, "   share      cd/m2  last drawn    times  cd s/m2   by");
+    vm_why_put(w, "   share      cd/m2  last drawn    times  cd s/m2   by");
 }
 
 /* Figures in front of what an entry is. */
-static void figures(const struct writer *w, const struct vm_why_entry *e, char *text, size_t size)
+static void figures(const struct vm_why_writer *w, const struct vm_why_entry *e, char *text,
+                    size_t size)
 {
     char share[24], when[32];
-    percent(part_of(w->why, e->share), share, sizeof share);
-    ago(w->why, e->last->t0, when, sizeof when);
+    vm_why_percent(vm_why_part(w->why, e->share), share, sizeof share);
+    vm_why_ago(w->why, e->last->t0, when, sizeof when);
     snprintf(text, size, "%8s %10.4g  %-13s %5zu  %-8.3g  ", share, e->share, when, e->pieces,
              e->fluence);
 }
 
 /* The store behind an entry, unless the one before had the same; and who had called. */
-static void put_store(struct writer *w, const char *lead, const struct vm_why_deposit *d)
+static void put_store(struct vm_why_writer *w, const char *lead, const struct vm_why_deposit *d)
 {
     char text[600], caller[300];
     const struct vm_why_store *s = &d->store;
@@ -263,10 +207,10 @@ static void put_store(struct writer *w, const char *lead, const struct vm_why_de
         size_t n = strlen(text);
         snprintf(text + n, sizeof text - n, "; called by %s", caller);
     }
-    wrap(w, lead, text);
+    vm_why_wrap(w, lead, text);
 }
 
-static void put_entry(struct writer *w, const struct vm_why_entry *e)
+static void put_entry(struct vm_why_writer *w, const struct vm_why_entry *e)
 {
     const struct vm_why_names *names = &w->text->names;
     char lead[96], blank[96], source[160], what[300];
@@ -279,22 +223,22 @@ static void put_entry(struct writer *w, const struct vm_why_entry *e)
     bool lined =
         w->why->place.head == VM_VECTOR && vm_why_source_line(names, e->last, &file, &line);
     if (lined)
-        wrap(w, lead, source);
-    wrap(w, lined ? blank : lead, w->why->recording ? source : what);
+        vm_why_wrap(w, lead, source);
+    vm_why_wrap(w, lined ? blank : lead, w->why->recording ? source : what);
     put_store(w, blank, e->last);
 }
 
-static void put_rest(struct writer *w, size_t pieces, double cd_m2, const char *what)
+static void put_rest(struct vm_why_writer *w, size_t pieces, double cd_m2, const char *what)
 {
     char share[24], text[160], count[24] = "";
-    percent(part_of(w->why, cd_m2), share, sizeof share);
+    vm_why_percent(vm_why_part(w->why, cd_m2), share, sizeof share);
     if (pieces)
         snprintf(count, sizeof count, "%zu", pieces);
     snprintf(text, sizeof text, "%8s %10.4g  %-13s %5s  %s", share, cd_m2, "", count, what);
-    put(w, text);
+    vm_why_put(w, text);
 }
 
-static void put_table(struct writer *w, const struct vm_why_entries *e)
+static void put_table(struct vm_why_writer *w, const struct vm_why_entries *e)
 {
     if (e->count)
         put_head(w);
@@ -302,73 +246,13 @@ static void put_table(struct writer *w, const struct vm_why_entries *e)
         put_entry(w, &e->at[i]);
     if (e->hidden > 0)
         put_rest(w, e->hidden, e->hidden_share, "others, each too small to be shown");
-    if (has_older(w->why))
+    if (vm_why_has_older(w->why))
         put_rest(w, 0, w->why->older, "from before what is remembered");
-}
-
-/* ---- short ----------------------------------------------------------------------------------- */
-
-static void put_short_head(struct writer *w)
-{
-    const struct vm_why *why = w->why;
-    char text[160], when[40];
-    vm_format_seconds(why->t, when, sizeof when);
-    snprintf(text, sizeof text, "(%.5g, %.5g) at %s: ", why->place.x, why->place.y, when);
-    size_t n = strlen(text);
-    if (why->luminance >= DARK_CD_M2)
-        snprintf(text + n, sizeof text - n, "%.3g cd/m2", why->luminance);
-    else
-        snprintf(text + n, sizeof text - n, "dark");
-    wrap(w, "", text);
-}
-
-/* "80.9 % scan line 300, 5.2 ms ago, by fill+0x24, roms/raster/fill.c:88" */
-static void put_short(struct writer *w, const struct vm_why_entry *e)
-{
-    char share[24], lead[32], source[160], when[32], code[200], text[500];
-    const struct vm_why_store *s = &e->last->store;
-    percent(part_of(w->why, e->share), share, sizeof share);
-    snprintf(lead, sizeof lead, "%6s ", share);
-    vm_why_say_source(w->why, &w->text->names, e->last, source, sizeof source);
-    ago(w->why, e->last->t0, when, sizeof when);
-    snprintf(text, sizeof text, "%s, %s ago", source, when);
-    size_t n = strlen(text);
-    if (s->known && !(w->store.known && w->store.pc == s->pc)) {
-        vm_why_say_code(&w->text->names, s->pc, code, sizeof code);
-        snprintf(text + n, sizeof text - n, ", stored by %s", code);
-    }
-    w->store = *s;
-    wrap(w, lead, text);
-}
-
-static void put_short_rest(struct writer *w, double cd_m2, const char *what)
-{
-    char share[24], text[120];
-    if (!(cd_m2 > LEAST_SHORT * w->why->luminance))
-        return;
-    percent(part_of(w->why, cd_m2), share, sizeof share);
-    snprintf(text, sizeof text, "%6s %s", share, what);
-    put(w, text);
-}
-
-/* As many entries as there is room for, and a line for the rest. */
-static void put_short_table(struct writer *w, const struct vm_why_entries *e)
-{
-    const int most = w->text->most, kept = most > 0 ? 1 + has_older(w->why) : 0;
-    double rest = e->hidden_share;
-    for (size_t i = 0; i < e->count; i++)
-        if (most == 0 || w->written + kept + 2 <= most)
-            put_short(w, &e->at[i]);
-        else
-            rest += e->at[i].share;
-    put_short_rest(w, rest, "others");
-    if (has_older(w->why))
-        put_short_rest(w, w->why->older, "from before what is remembered");
 }
 
 /* ---- all ------------------------------------------------------------------------------------- */
 
-static void put_sentence(struct writer *w)
+static void put_sentence(struct vm_why_writer *w)
 {
     struct vm_why_text by_share = *w->text;
     struct vm_why_entries e;
@@ -381,7 +265,7 @@ static void put_sentence(struct writer *w)
         add_sources(&s, w, &e);
         add_older(&s, w->why, e.count == 0);
     }
-    wrap(w, "", s.text);
+    vm_why_wrap(w, "", s.text);
     w->store.known = false; /* the table says it again */
     if (made)
         vm_why_entries_free(&e);
@@ -390,14 +274,16 @@ static void put_sentence(struct writer *w)
 void vm_why_lines(const struct vm_why *why, const struct vm_why_text *text,
                   void (*line)(void *ctx, const char *line), void *ctx)
 {
-    struct writer w = {.why = why, .text = text, .line = line, .ctx = ctx};
+    struct vm_why_writer w = {.why = why, .text = text, .line = line, .ctx = ctx};
     struct vm_why_entries e;
-    bool wide = text->columns >= WIDE;
+    bool wide = text->columns >= VM_WHY_WIDE;
     if (wide)
         put_sentence(&w);
     else
-        put_short_head(&w);
-    if (why->luminance < DARK_CD_M2) {
+        vm_why_short_head(&w);
+    if (why->luminance < VM_WHY_DARK && lately(why) >= VM_WHY_DARK) {
+        say_faded(&w);
+    } else if (why->luminance < VM_WHY_DARK) {
         say_nearest(&w);
         say_passed(&w);
     }
@@ -405,7 +291,7 @@ void vm_why_lines(const struct vm_why *why, const struct vm_why_text *text,
         if (wide)
             put_table(&w, &e);
         else
-            put_short_table(&w, &e);
+            vm_why_short(&w, &e);
         vm_why_entries_free(&e);
     }
 }

@@ -22,6 +22,10 @@ struct vm_why_names {
     const struct vm_source_lines *lines; /* of the firmware */
 };
 
+/* Those of an input; `lines` of its firmware, or NULL. Both must outlive the names. */
+struct vm_why_names vm_why_names_of(const struct vm_input *input,
+                                    const struct vm_source_lines *lines);
+
 struct vm_why_text {
     struct vm_why_names names;
     int columns;  /* a line has at most so many letters; at least 40 */

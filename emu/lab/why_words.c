@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "display_file/decode.h"
 #include "display_file/df_regs.h"
@@ -9,20 +10,39 @@
 
 /* ---- display words --------------------------------------------------------------------------- */
 
+struct vm_why_names vm_why_names_of(const struct vm_input *input,
+                                    const struct vm_source_lines *lines)
+{
+    const struct df_program *p = &input->program;
+    const char *dot = p->words && p->file_count ? strrchr(p->files[0], '.') : NULL;
+    /* Octal words and tapes have lines, but are no source. */
+    bool source = dot && strcasecmp(dot, ".df") == 0;
+    return (struct vm_why_names){.program = source ? p : NULL, .elf = &input->elf, .lines = lines};
+}
+
+bool vm_why_as_loaded(const struct df_program *p, const struct vm_why_deposit *d)
+{
+    uint32_t at = d->word.address / 2;
+    if (!p || !p->words || !d->named || d->store.known || d->word.words == 0 ||
+        at + 1 >= DF_MEMORY_BYTES / 2)
+        return false;
+    for (uint32_t i = 0; i < (uint32_t)d->word.words; i++)
+        if (!p->loaded[at + i] || p->words[at + i] != d->word.word[i])
+            return false;
+    return true;
+}
+
 bool vm_why_source_line(const struct vm_why_names *names, const struct vm_why_deposit *d,
                         const char **file, uint32_t *line)
 {
     const struct df_program *p = names->program;
-    uint32_t at = d->word.address / 2;
-    if (!p || !p->words || !d->named || d->store.known || d->word.words == 0 ||
-        at + 1 >= DF_MEMORY_BYTES / 2 || !p->loaded[at] || !p->line[at] ||
-        p->line[at] >> 24 >= p->file_count)
+    if (!vm_why_as_loaded(p, d))
         return false;
-    for (int i = 0; i < d->word.words; i++) /* the program may have changed them */
-        if (p->words[at + (uint32_t)i] != d->word.word[i])
-            return false;
-    *file = p->files[p->line[at] >> 24];
-    *line = p->line[at] & 0xFFFFFF;
+    uint32_t where = p->line[d->word.address / 2];
+    if (!where || where >> 24 >= p->file_count)
+        return false;
+    *file = p->files[where >> 24];
+    *line = where & 0xFFFFFF;
     return true;
 }
 
@@ -46,17 +66,18 @@ static void say_words(const struct vm_why_deposit *d, char *text, size_t size)
 static void say_dots(const struct vm_why_deposit *d, char *text, size_t size)
 {
     const struct vm_why_row *row = &d->row;
-    char dots[48], bytes[48] = "";
-    if (row->first == row->last)
-        snprintf(dots, sizeof dots, "dot %d", (int)row->dot);
+    char dots[64], byte[64];
+    bool one = row->first == row->last;
+    snprintf(byte, sizeof byte, "byte %06x of the buffer", (unsigned)row->address);
+    if (one)
+        snprintf(dots, sizeof dots, "dot %d, ", (int)row->dot);
+    else if (row->overscan)
+        snprintf(dots, sizeof dots, "dots %d-%d, ", (int)row->first, (int)row->last);
     else
-        snprintf(dots, sizeof dots, "dots %d-%d", (int)row->first, (int)row->last);
-    if (row->overscan)
-        snprintf(bytes, sizeof bytes, "overscan");
-    else
-        snprintf(bytes, sizeof bytes, "dot %d is byte %06x of the buffer", (int)row->dot,
-                 (unsigned)row->address);
-    snprintf(text, size, "scan line %d, %s; %s", (int)row->row, dots, bytes);
+        snprintf(dots, sizeof dots, "dots %d-%d; dot %d is ", (int)row->first, (int)row->last,
+                 (int)row->dot);
+    snprintf(text, size, "scan line %d, %s%s", (int)row->row, dots,
+             row->overscan ? "overscan" : byte);
 }
 
 /* ---- both ------------------------------------------------------------------------------------ */
@@ -69,7 +90,7 @@ void vm_why_say_source(const struct vm_why *why, const struct vm_why_names *name
     if (why->place.head == VM_RASTER)
         snprintf(text, size, "scan line %d", (int)(int32_t)d->source);
     else if (why->recording)
-        snprintf(text, size, "the recording");
+        snprintf(text, size, "word %06o of the recording", (unsigned)d->source);
     else if (vm_why_source_line(names, d, &file, &line))
         snprintf(text, size, "line %u of %s", (unsigned)line, file);
     else

@@ -9,6 +9,8 @@
 
 #include "emu/lab/why_text.h"
 
+/* Whether a deposit's words are those that a display file brought along: not stored, nor changed since. */
+bool vm_why_as_loaded(const struct df_program *program, const struct vm_why_deposit *deposit);
 /* The line of the display file's source that a deposit's word is of; false: it has none, or the program
  * has stored over it. */
 bool vm_why_source_line(const struct vm_why_names *names, const struct vm_why_deposit *deposit,

@@ -235,7 +235,7 @@ static void as_fine_samples_say(void **state)
     const double w[] = {0.4, 0.4, 0.2}, tau[] = {0.0005, 0.02, 3};
     struct crt_phosphor p = model_phosphor(3, w, tau);
     struct crt_tube_row row = model_row(0.25, 0);
-    for (int n = 0; n < 6; n++) {
+    for (int n = 0; n < 4; n++) {
         struct crt_tube *tube = tube_of(&row, &p);
         struct crt_photodiode *d = point_at(tube, 0.1, 0.05);
         uint64_t t = 0;
@@ -245,13 +245,13 @@ static void as_fine_samples_say(void **state)
             s.x0 = (float)model_uniform(&seed, -2, 0.3);
             s.x1 = i % 3 == 0 ? s.x0 : (float)model_uniform(&seed, 0.2, 2);
             s.y0 = s.y1 = i % 3 == 0 ? 0 : (float)model_uniform(&seed, -0.3, 0.3);
-            s.t1 = t += (uint64_t)model_uniform(&seed, 1, n < 3 ? 4 : 60) * US;
+            s.t1 = t += (uint64_t)model_uniform(&seed, 1, n < 2 ? 4 : 60) * US;
             crt_tube_stroke(tube, &s);
             t += (uint64_t)(model_uniform(&seed, 0, 60) * (double)US);
         }
         crt_tube_advance(tube, t);
         struct crt_waveform_figures f;
-        const size_t samples = 200000;
+        const size_t samples = 100000;
         double *l = malloc(samples * sizeof *l), mean = 0, peak = 0, least = 1e300, above = 0;
         crt_waveform_measure(d, 0, t, 1000, &f);
         assert_non_null(l);

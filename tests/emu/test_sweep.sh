@@ -79,6 +79,7 @@ refuses "a negative luminance" "luminances: " --luminances -3
 refuses "no rate at all" "is not a number" --rates ,
 refuses "a field that is not published" "10|30|50|70" --field 20
 refuses "a picture's size without a picture" "give -o" --size 640x480
+refuses "something else than length" 'or length first' lenght
 refuses "two things to standard output" "both go" --csv - -o -
 "$KINESCOPE" sweep --csv "$work/no/folder.csv" >"$work/said" 2>&1
 [ $? -eq 1 ] && grep -q 'cannot be written' "$work/said"

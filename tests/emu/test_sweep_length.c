@@ -225,7 +225,7 @@ static void a_program_is_measured(void **state)
     assert_true(vm_length_measure(&l, &input, &err));
     for (int t = 0; t < VM_TIMINGS; t++) {
         double list = (double)vm_list_ps(&s, &l.timing[t], 400),
-               times = vm_length_times(&l, false, t);
+               times = vm_length_times(&l, false, (enum df_timing_choice)t);
         double slack = (double)l.timing[t].settle_max_ps; /* the first refresh begins in a corner */
         assert_true(fabs((double)l.program.ps[t] - list) <= slack);
         assert_true(fabs(times - (double)l.steady.longest / list) < 0.01 * times);
