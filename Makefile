@@ -152,6 +152,16 @@ bench: deps-test
 input-figures: all $(FIGURE_BINS)
 	@for f in $(FIGURE_BINS); do echo; echo "$$(basename $$f):"; $$f || exit 1; done
 
+# Flicker as the probe measures it, against closed forms, for every phosphor at four rates: a table.
+flicker-figures: all
+	@KINESCOPE=./kinescope tests/figures/flicker.sh
+.PHONY: flicker-figures
+
+# All lessons of the flicker laboratory: pictures, plots and one page, o/laboratory/index.html.
+laboratory: all
+	./kinescope lesson all -o o/laboratory
+.PHONY: laboratory
+
 # The pictures of the README (glass: they vary a little with the GL driver).
 pictures: all
 	@mkdir -p roms/pictures
@@ -174,6 +184,9 @@ pictures: all
 	./kinescope capture roms/digitise.elf --input roms/digitise.script --at 11s --view raster --size 800x600 -o roms/pictures/digitise.png
 	./kinescope capture roms/track.elf --input roms/track.script --at 7.5s --view vector --size 640x640 -o roms/pictures/track.png
 	./kinescope capture roms/calibrate.elf --input roms/calibrate.script --when mark:100 --size 800x600 -o roms/pictures/calibrate.png
+	./kinescope probe roms/rose.df --at 512,690 --size 960x540 -o roms/pictures/waveform.png >/dev/null
+	./kinescope sweep --field 30 --phosphors P1,P4,P7,P22,P31,P33,P39,P43,P46 -o roms/pictures/flicker.png >/dev/null
+	./kinescope capture roms/lander.df --phosphor P31 --step stroke --count 400 --gain peakx4 --sheet 6x3 --size 260x260 -o roms/pictures/sheet.png
 
 # Every lesson on both heads, into o/lessons/.
 lesson-pictures: all
@@ -217,6 +230,8 @@ help:
 	@echo "make coverage    lines of the readers and of display_file/ that corpora and tests run (gcov)"
 	@echo "make bench       speeds, as ratios within one run"
 	@echo "make input-figures   tables: how exact a light pen is, how late hands are seen"
+	@echo "make flicker-figures flicker of every phosphor at four rates, measured and in closed form"
+	@echo "make laboratory  run all lessons on refresh and flicker: o/laboratory/index.html"
 	@echo "make fuzz        run the fuzzers for FUZZ_SECONDS each (clang)"
 	@echo "make check       the tests of 'make test' without installing anything (TEST_ONLY=pattern)"
 	@echo "make golden      regenerate the golden traces and films (look at them before committing)"

@@ -3,7 +3,8 @@
  *      frames, as they are shown ─▶ low pass ─▶ low pass ─▶ what is shown instead
  *
  * Models:     two low-pass filters of the first order, one after the other, time constant VM_CALM_S each, over
- *             the time of who looks on (host seconds, however slow the machine runs). A light that flashes
+ *             the time of who looks on (host seconds, however slow the machine runs; what a late picture is behind
+ *             does not count, as it does not for the machine). A light that flashes
  *             fully at 3 Hz is left with 7 % from crest to trough, at 10 Hz with 0.6 %. Guidelines (WCAG 2.2,
  *             2.3.1) count as a flash a pair of opposing changes of a tenth of full luminance, and allow three
  *             a second.

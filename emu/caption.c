@@ -5,9 +5,12 @@
 #include <string.h>
 
 #include "emu/plot/letters.h"
+#include "emu/side.h"
 
 #define SHARE    30.0 /* letters' height in a picture's height */
 #define SMALLEST 9.0
+
+#define SIDES_GAP (2 * VM_SIDE_GAP) /* wider than between the two tubes of one machine */
 
 static const struct vm_rgb paper_white = {235, 235, 225};
 
@@ -93,4 +96,21 @@ bool vm_caption_strip(const struct vm_caption *texts, int count, int width, doub
         draw(&ink, &texts[i], size, height);
     vm_ink_close(&ink);
     return true;
+}
+
+bool vm_caption_sides(const struct crt_image side[2], const char *left, const char *right,
+                      struct crt_image *names, struct crt_image *out, struct crt_error *err)
+{
+    struct crt_image halves, strip = {0}, *kept = names ? names : &strip;
+    if (!vm_side_by_side_apart(&side[0], &side[1], SIDES_GAP, &halves, err))
+        return false;
+    const struct vm_caption text[] = {{left, 0, side[0].width, false},
+                                      {right, halves.width - side[1].width, side[1].width, false}};
+    bool ok = kept->samples ||
+              vm_caption_strip(text, 2, halves.width, vm_caption_letters(halves.height), kept, err);
+    ok = ok && vm_above(kept, &halves, out, err);
+    crt_image_free(&halves);
+    if (strip.samples)
+        crt_image_free(&strip);
+    return ok;
 }

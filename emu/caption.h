@@ -33,4 +33,10 @@ int vm_caption_height(double letters);
 bool vm_caption_strip(const struct vm_caption *texts, int count, int width, double letters,
                       struct crt_image *strip, struct crt_error *err);
 
+/* Two halves, a wide gap between them, what each is called above it. The strip of names is made anew, or where
+ * `names` is not NULL once: kept there (samples NULL at first) for the next pictures of these sizes, and the
+ * caller's to free. */
+bool vm_caption_sides(const struct crt_image side[2], const char *left, const char *right,
+                      struct crt_image *names, struct crt_image *out, struct crt_error *err);
+
 #endif

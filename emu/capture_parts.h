@@ -75,6 +75,7 @@ struct vm_capture_side {
     struct vm_lights lights;
     enum vm_view view; /* never auto once planned */
     struct vm_tubes tubes;
+    struct ras_timing timing;             /* of the raster head where the pictures end */
     uint64_t exposure;                    /* 0: each picture gathers the light of its step */
     uint64_t loaded;                      /* when the machine of --load-state was saved; else 0 */
     struct vm_studio studio, film_studio; /* the latter for --hash */

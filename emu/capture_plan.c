@@ -86,6 +86,7 @@ static int plan_view(const struct vm_capture *c, struct vm_capture_side *side,
     side->view = vm_view_now(side->settings.view, m);
     if (!check_use(c, side->view, m, err))
         return VM_EXIT_TROUBLE;
+    side->timing = m->desc.buffer ? m->raster.timing : side->settings.timing;
     side->tubes = vm_settings_tubes(&side->settings, side->view);
     if (c->o.buffer)
         side->tubes.heads = 0;

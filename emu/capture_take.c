@@ -5,8 +5,6 @@
 #include "emu/capture_parts.h"
 #include "emu/side.h"
 
-#define SIDES_GAP (2 * VM_SIDE_GAP) /* wider than between the two tubes of one machine */
-
 /* ---- one side -----------------------------------------------------------------------------------
  */
 
@@ -35,42 +33,23 @@ static bool print_hash(const struct vm_capture *c, struct vm_capture_side *side,
 /* ---- putting together ---------------------------------------------------------------------------
  */
 
-/* `*image` and a strip above or below it become one. */
-static bool add_strip(struct crt_image *image, const struct crt_image *strip, bool above,
-                      struct crt_error *err)
-{
-    struct crt_image whole;
-    if (!vm_above(above ? strip : image, above ? image : strip, &whole, err))
-        return false;
-    crt_image_free(image);
-    *image = whole;
-    return true;
-}
-
-/* What each half is called, above it; the strip is the same for all pictures. */
-static bool add_names(struct vm_capture *c, struct crt_image *image, int left, int right,
-                      struct crt_error *err)
-{
-    const struct vm_caption names[] = {{c->caption[0], 0, left, false},
-                                       {c->caption[1], image->width - right, right, false}};
-    if (!c->names.samples && !vm_caption_strip(names, 2, image->width,
-                                               vm_caption_letters(image->height), &c->names, err))
-        return false;
-    return add_strip(image, &c->names, true, err);
-}
-
+/* What happens, under the picture. */
 static bool add_caption(const struct vm_capture *c, struct crt_image *image, uint64_t number,
                         struct crt_error *err)
 {
-    struct crt_image strip;
+    struct crt_image strip, whole;
     char text[300];
     vm_capture_caption(c, number, text, sizeof text);
     const struct vm_caption caption = {text, 0, image->width, true};
     if (!vm_caption_strip(&caption, 1, image->width, vm_caption_letters(image->height), &strip,
                           err))
         return false;
-    bool ok = add_strip(image, &strip, false, err);
+    bool ok = vm_above(image, &strip, &whole, err);
     crt_image_free(&strip);
+    if (ok) {
+        crt_image_free(image);
+        *image = whole;
+    }
     return ok;
 }
 
@@ -78,24 +57,20 @@ static bool add_caption(const struct vm_capture *c, struct crt_image *image, uin
 static bool join(struct vm_capture *c, const struct vm_frame *const frame[],
                  struct crt_image *image, struct crt_error *err)
 {
-    struct crt_image left, right;
-    if (!picture_of_side(c, &c->side[0], &c->side[0].studio, frame[0], &left, err))
-        return false;
-    if (c->sides == 1) {
-        *image = left;
-        return true;
-    }
-    bool ok = picture_of_side(c, &c->side[1], &c->side[1].studio, frame[1], &right, err);
-    int widths[] = {left.width, ok ? right.width : 0};
-    if (ok) {
-        ok = vm_side_by_side_apart(&left, &right, SIDES_GAP, image, err);
-        crt_image_free(&right);
-    }
-    crt_image_free(&left);
-    if (ok && !c->places.width && !add_names(c, image, widths[0], widths[1], err)) {
-        crt_image_free(image);
-        return false;
-    }
+    struct crt_image side[VM_SIDES];
+    if (c->sides == 1)
+        return picture_of_side(c, &c->side[0], &c->side[0].studio, frame[0], image, err);
+    int ready = 0;
+    while (ready < c->sides && picture_of_side(c, &c->side[ready], &c->side[ready].studio,
+                                               frame[ready], &side[ready], err))
+        ready++;
+    bool ok = ready == c->sides;
+    if (ok && c->places.width)
+        ok = vm_side_by_side(&side[0], &side[1], image, err);
+    else if (ok)
+        ok = vm_caption_sides(side, c->caption[0], c->caption[1], &c->names, image, err);
+    while (ready > 0)
+        crt_image_free(&side[--ready]);
     return ok;
 }
 

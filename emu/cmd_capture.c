@@ -206,7 +206,8 @@ static void name_sides(struct vm_capture *c)
 {
     struct vm_versus_side named[VM_SIDES];
     for (int i = 0; i < VM_SIDES; i++)
-        named[i] = (struct vm_versus_side){c->side[i].tables, VM_SIDE_TABLES, &c->side[i].settings};
+        named[i] = (struct vm_versus_side){c->side[i].tables, VM_SIDE_TABLES, &c->side[i].settings,
+                                           &c->side[i].timing, c->side[i].view};
     vm_versus_captions(&c->versus, named, c->caption);
 }
 

@@ -12,13 +12,14 @@
 
 struct options {
     bool headless, console, full_screen, gdb_anywhere, tour, latency, no_flash;
-    const char *gdb, *record;
+    const char *gdb, *record, *versus;
     struct vm_time length, shutter;
     struct vm_size size;
     double scale;
     struct vm_saved_options saved;
-    struct vm_settings_options settings;
-    struct vm_light_options light;
+    struct vm_show_options side[VM_SIDES]; /* left, or alone; right */
+    struct vm_option_table tables[VM_SIDES][VM_SHOW_TABLES];
+    struct vm_versus other; /* what is different on the right */
     struct vm_input_options input;
     struct vm_roms_options roms;
 };
@@ -64,6 +65,10 @@ static const struct vm_option rows[] = {
     {"latency", 0, VM_OPT_FLAG, ROW(latency), "",
      "when the window closes, say how long after an event of mouse or keys the picture came that "
      "shows it",
+     0, 0},
+    {"versus", 0, VM_OPT_STRING, ROW(versus), "NAME=VALUE;...",
+     "beside it the same program on another machine, which gets the same keys and hands: options "
+     "without dashes that are different there, such as 'phosphor=P31;refresh=30;set.spot=0.5'",
      0, 0},
     {"tour", 0, VM_OPT_FLAG, ROW(tour), "", "a tour through the programs that come along", 0, 0},
 };
@@ -127,8 +132,9 @@ static int run_headless(const struct options *o, const char *path)
         free(report);
         return report ? VM_EXIT_TROUBLE : fail(VM_EXIT_TROUBLE, &err);
     }
-    int status = vm_settings_resolve(&o->settings, input.is_recording ? &input.header : NULL,
-                                     vm_input_tube(&input), &settings, &err);
+    int status =
+        vm_settings_resolve(&o->side[0].settings, input.is_recording ? &input.header : NULL,
+                            vm_input_tube(&input), &settings, &err);
     if (!status &&
         !(vm_view_suits(&settings, &input, &err) && vm_script_suits(&settings, &input, &err)))
         status = VM_EXIT_USAGE;
@@ -163,29 +169,41 @@ static bool shutter_of(const struct options *o, struct crt_rate tick, uint64_t *
                          "light of the time that it stands for");
 }
 
-/* `path` NULL: the tour. */
-static int run_window(const struct options *o, const char *path)
+/* Options of a side are checked before a window appears. */
+static int check_side(const struct options *o, int side, uint64_t *shutter, struct crt_error *err)
 {
     struct vm_settings settings;
     struct vm_lights lights;
-    struct crt_error err;
-    /* Options are checked before a window appears. */
-    int status = vm_settings_resolve(&o->settings, NULL, NULL, &settings, &err);
-    uint64_t shutter = 0;
-    if (!status && !shutter_of(o, settings.tick, &shutter, &err))
+    struct crt_error why;
+    int status = vm_settings_resolve(&o->side[side].settings, NULL, NULL, &settings, &why);
+    if (!status && !shutter_of(o, settings.tick, shutter, &why))
         status = VM_EXIT_USAGE;
     if (!status)
-        status = vm_light_settings(&o->light, &settings, &lights, &err);
+        status = vm_light_settings(&o->side[side].light, &settings, &lights, &why);
     vm_settings_free(&settings);
+    if (status)
+        crt_fail(err, "%s%.490s", side ? "--versus: " : "", why.text);
+    return status;
+}
+
+/* `path` NULL: the tour. */
+static int run_window(const struct options *o, const char *path)
+{
+    struct crt_error err;
+    uint64_t shutter = 0;
+    int status = check_side(o, 0, &shutter, &err);
+    if (!status && o->versus)
+        status = check_side(o, 1, &shutter, &err);
     if (!status && !window_has_use(o, path, &err))
         status = VM_EXIT_USAGE;
     if (status)
         return fail(status, &err);
     struct vm_show_desc desc = {.path = path,
                                 .roms = o->roms.folder,
-                                .settings = &o->settings,
+                                .options = {&o->side[0], o->versus ? &o->side[1] : NULL},
+                                .tables = {o->tables[0], o->tables[1]},
+                                .versus = &o->other,
                                 .input = &o->input,
-                                .light = &o->light,
                                 .size = o->size,
                                 .full_screen = o->full_screen,
                                 .scale = o->scale,
@@ -203,12 +221,44 @@ static int run_window(const struct options *o, const char *path)
     return status && err.text[0] ? fail(status, &err) : status;
 }
 
+static void connect_tables(struct options *o, int side)
+{
+    o->tables[side][0] =
+        (struct vm_option_table)VM_OPTION_TABLE(vm_light_rows, &o->side[side].light);
+    o->tables[side][1] =
+        (struct vm_option_table)VM_OPTION_TABLE(vm_settings_rows, &o->side[side].settings);
+}
+
+/* What there can be but one of does not go with two machines. */
+static bool check_versus(const struct options *o, struct crt_error *err)
+{
+    const char *one = o->headless     ? "--headless"
+                      : o->console    ? "--console"
+                      : o->gdb        ? "--gdb"
+                      : o->saved.save ? "--save-state"
+                                      : NULL;
+    return !o->versus || !one ||
+           crt_fail(err, "--versus is for a window with two machines; leave out %s", one);
+}
+
+/* The right side is the left one but for what --versus says. */
+static bool second_side(struct options *o, struct crt_error *err)
+{
+    if (!o->versus)
+        return true;
+    o->side[1] = o->side[0];
+    connect_tables(o, 1);
+    return vm_versus_parse(&o->other, o->versus, o->tables[1], VM_SHOW_TABLES, err);
+}
+
 static int run(int argc, char **argv)
 {
-    struct options o = {.scale = 1, .light = {.room = -1}};
+    struct options o = {.scale = 1};
+    o.side[0].light.room = -1;
+    connect_tables(&o, 0);
     const struct vm_option_table tables[] = {VM_OPTION_TABLE(rows, &o),
-                                             VM_OPTION_TABLE(vm_light_rows, &o.light),
-                                             VM_OPTION_TABLE(vm_settings_rows, &o.settings),
+                                             o.tables[0][0],
+                                             o.tables[0][1],
                                              VM_OPTION_TABLE(vm_input_rows, &o.input),
                                              VM_OPTION_TABLE(vm_saved_rows, &o.saved),
                                              VM_OPTION_TABLE(vm_roms_rows, &o.roms)};
@@ -227,7 +277,7 @@ static int run(int argc, char **argv)
                  args.count ? "FILE" : "--headless");
         return fail(VM_EXIT_USAGE, &err);
     }
-    if (!vm_input_check(&o.input, &err))
+    if (!vm_input_check(&o.input, &err) || !check_versus(&o, &err))
         return fail(VM_EXIT_USAGE, &err);
     char monitor[4096 + 16];
     const char *path = NULL;
@@ -242,7 +292,12 @@ static int run(int argc, char **argv)
         status = VM_EXIT_TROUBLE;
     if (status)
         return fail(status, &err);
-    return o.headless ? run_headless(&o, path) : run_window(&o, path);
+    if (!second_side(&o, &err))
+        status = fail(VM_EXIT_USAGE, &err);
+    else
+        status = o.headless ? run_headless(&o, path) : run_window(&o, path);
+    vm_versus_free(&o.other);
+    return status;
 }
 
 const struct vm_command vm_command_run = {
@@ -260,6 +315,7 @@ const struct vm_command vm_command_run = {
     "  kinescope run --tour\n"
     "  kinescope run --headless --console < script\n"
     "  kinescope run roms/lander.df --tube VR14 --time-scale 0.001\n"
+    "  kinescope run roms/spin.df --versus 'phosphor=P39;refresh=30'\n"
     "  kinescope run roms/lander.df --time-scale 1e-5 --shutter 100us\n"
     "  kinescope run roms/growing.df --refresh 25 --no-flash\n"
     "  kinescope run roms/spin.df --headless --for 60s\n"

@@ -15,9 +15,9 @@
 
 #include "emu/frame.h"
 #include "emu/progress.h"
+#include "emu/versus.h"
 
 #define VM_OVERLAP_MAX 64
-#define VM_SIDES       2
 
 /* The instant of a picture, and when what it is of began: before that, or the same. */
 struct vm_shot {

@@ -6,15 +6,16 @@
 
 #include "emu/hud_parts.h"
 
-#define LINES_MAX     16
-#define MARGIN_DOTS   4 /* between a panel and the edge of the window */
-#define FADE_S        0.6
-#define HELP_ROWS_MAX 96
-#define HELP_GAP      3  /* letters between keys and meanings */
-#define HELP_COLUMNS  58 /* longer lines wrap */
-#define HELP_NARROW   28 /* letters that a meaning should have */
-#define HELP_PAD      10 /* dots */
-#define PANEL_ALPHA   205
+#define LINES_MAX        16
+#define MARGIN_DOTS      4 /* between a panel and the edge of the window */
+#define FADE_S           0.6
+#define HELP_ROWS_MAX    96
+#define HELP_GAP         3  /* letters between keys and meanings */
+#define HELP_COLUMNS     58 /* longer lines wrap */
+#define HELP_NARROW      28 /* letters that a meaning should have */
+#define HELP_PAD         10 /* dots */
+#define PANEL_ALPHA      205
+#define CAPTION_PAD_DOTS 3
 
 struct vm_hud *vm_hud_create(struct crt_error *err)
 {
@@ -60,6 +61,12 @@ static bool set_text(char to[VM_HUD_TEXT], const char *text)
 void vm_hud_status(struct vm_hud *hud, const char *text)
 {
     hud->stale |= set_text(hud->status, text);
+}
+
+void vm_hud_sides(struct vm_hud *hud, const char *left, const char *right)
+{
+    hud->stale |= set_text(hud->side[0], left);
+    hud->stale |= set_text(hud->side[1], right);
 }
 
 void vm_hud_message(struct vm_hud *hud, const char *text, double now, double seconds)
@@ -127,6 +134,17 @@ int vm_hud_columns(int width, int height)
     return (width - 2 * (MARGIN_DOTS + VM_HUD_PAD_DOTS) * dot) / (VM_LETTER_DOTS * dot);
 }
 
+/* Captions are larger than the rest: they are read from further away. */
+static int caption_dot(int width, int height)
+{
+    return vm_hud_dot(width, height) + 1;
+}
+
+int vm_hud_strip(int width, int height)
+{
+    return (VM_TALL_DOTS + 2 * CAPTION_PAD_DOTS) * caption_dot(width, height);
+}
+
 static struct vm_colour faded(struct vm_colour colour, int level)
 {
     colour.a = (uint8_t)(colour.a * level / VM_HUD_LEVELS);
@@ -182,6 +200,21 @@ static int draw_text_panel(struct vm_hud *hud, int which, const char *text, int 
         draw_line(hud, box.x + pad, box.y + pad + (int)i * VM_LINE_DOTS * dot, dot,
                   faded(hud->ink, level), &lines[i]);
     return box.y;
+}
+
+/* What a half of the window shows, over its middle. */
+static void draw_side(struct vm_hud *hud, int side)
+{
+    int dot = caption_dot(hud->canvas.width, hud->canvas.height), letter = VM_LETTER_DOTS * dot;
+    int half = hud->canvas.width / 2, columns = (half - letter) / letter;
+    struct vm_line line[1];
+    if (columns < 4 || vm_wrap(hud->side[side], (size_t)columns, line, 1) == 0)
+        return;
+    int width = ((int)line->length + (line->cut ? 3 : 0)) * letter;
+    struct vm_box box = {side * half + (half - width) / 2, CAPTION_PAD_DOTS * dot, width,
+                         (VM_TALL_DOTS + 2) * dot};
+    draw_line(hud, box.x, box.y, dot, hud->ink, line);
+    hud->drawn[VM_PANEL_LEFT + side] = box;
 }
 
 /* ---- help ------------------------------------------------------------------------------------ */
@@ -280,6 +313,8 @@ static void redraw(struct vm_hud *hud)
     }
     int bottom = hud->canvas.height;
     vm_hud_draw_marks(hud);
+    for (int i = 0; i < 2; i++)
+        draw_side(hud, i);
     if (hud->status[0])
         bottom = draw_text_panel(hud, VM_PANEL_STATUS, hud->status, bottom, VM_HUD_LEVELS);
     if (hud->message[0] && hud->message_level > 0)

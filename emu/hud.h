@@ -52,6 +52,8 @@ enum vm_hud_mark {
     VM_MARK_PEN,
     VM_MARK_BEAM,
     VM_MARK_BEAM_RASTER,
+    VM_MARK_BEAM_RIGHT, /* of the right machine's heads */
+    VM_MARK_BEAM_RASTER_RIGHT,
     VM_MARK_DIODE,
     VM_MARK_ASKED, /* about */
     VM_HUD_MARKS
@@ -63,6 +65,11 @@ void vm_hud_ring(struct vm_hud *hud, double x, double y, double radius);
 /* A picture of 8 bits in the upper right corner and a text under it, copied; NULL: none. Not shown where it
  * does not fit. */
 void vm_hud_picture(struct vm_hud *hud, const struct crt_image *image, const char *caption);
+
+/* What the left and right half of the window show, at their top; NULL: it has no halves. Text is copied. How
+ * high that strip is. */
+void vm_hud_sides(struct vm_hud *hud, const char *left, const char *right);
+int vm_hud_strip(int width, int height);
 
 /* The colour of the text, 0…255 sRGB: the tube's phosphor. Mixed with white until it is legible. */
 void vm_hud_tint(struct vm_hud *hud, int red, int green, int blue);

@@ -123,6 +123,8 @@ static void draw_picture(struct vm_hud *hud)
 {
     int w = hud->picture_width, h = hud->picture_height;
     int left = hud->canvas.width - w - MARGIN, top = MARGIN;
+    if (hud->side[1][0]) /* under what the half is called */
+        top = vm_hud_strip(hud->canvas.width, hud->canvas.height);
     if (left < 0 || top + h > hud->canvas.height)
         return;
     for (int y = 0; y < h; y++) {
@@ -144,10 +146,9 @@ void vm_hud_draw_marks(struct vm_hud *hud)
     static const struct vm_colour white = {255, 255, 255, 255};
     if (hud->mark[VM_MARK_PEN].radius > 0)
         draw(hud, VM_MARK_PEN, ring, hud->ink);
-    if (hud->mark[VM_MARK_BEAM].radius > 0)
-        draw(hud, VM_MARK_BEAM, cross, amber);
-    if (hud->mark[VM_MARK_BEAM_RASTER].radius > 0)
-        draw(hud, VM_MARK_BEAM_RASTER, cross, amber);
+    for (int which = VM_MARK_BEAM; which <= VM_MARK_BEAM_RASTER_RIGHT; which++)
+        if (hud->mark[which].radius > 0)
+            draw(hud, which, cross, amber);
     if (hud->mark[VM_MARK_DIODE].radius > 0)
         draw(hud, VM_MARK_DIODE, ring_and_cross, yellow);
     if (hud->mark[VM_MARK_ASKED].radius > 0)

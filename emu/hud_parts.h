@@ -25,6 +25,8 @@ enum {
     VM_PANEL_HELP,
     VM_PANEL_PICTURE,
     VM_PANEL_CAPTION,
+    VM_PANEL_LEFT,
+    VM_PANEL_RIGHT,
     VM_PANEL_MARKS
 };
 #define VM_PANELS (VM_PANEL_MARKS + VM_HUD_MARKS)
@@ -44,6 +46,7 @@ struct vm_hud {
     uint8_t *picture; /* RGB; NULL: none */
     int picture_width, picture_height;
     char caption[VM_HUD_TEXT];
+    char side[2][VM_HUD_TEXT]; /* "": it has no halves */
     bool help_shown;
     enum vm_hud_side help_side;
     char *help[VM_HUD_HELP];

@@ -41,12 +41,11 @@ static double frame_seconds(struct vm_show *show, double now)
 }
 
 /* Runs the machine to `until`, or as far as a debugger lets it. */
-void vm_show_run(struct vm_show *show, uint64_t until)
+void vm_show_run(struct vm_show *show, struct vm_shown *p, uint64_t until)
 {
-    struct vm_machine *m = show->program->rig.machine;
+    struct vm_machine *m = p->rig.machine;
     struct vm_gdb *gdb = show->desc->gdb;
     if (gdb && m->desc.board) {
-        struct vm_shown *p = show->program;
         struct vm_gdb_target target =
             p->history ? vm_gdb_with_past(&p->past, m, p->history) : vm_gdb_machine(m);
         if (vm_gdb_run(gdb, &target, until, DEBUGGER_MS) != VM_GDB_OVER)
@@ -89,6 +88,15 @@ static void skip_idle(struct vm_show *show)
         vm_show_expose(show, m->tick_time + 1);
 }
 
+/* Without light; the other machine to the same instant. */
+static void finish_refresh(struct vm_show *show)
+{
+    struct vm_machine *m = show->program->rig.machine;
+    vm_machine_run_refresh(m, m->now + CRT_PS_PER_S);
+    for (int i = 1; i < show->sides; i++)
+        vm_machine_run(show->side[i]->rig.machine, m->now);
+}
+
 static void run_frame(struct vm_show *show, double now)
 {
     struct vm_machine *m = show->program->rig.machine;
@@ -100,7 +108,7 @@ static void run_frame(struct vm_show *show, double now)
         show->step = false;
         /* A refresh that has begun is finished first, so that a whole one is seen. */
         if (m->refreshes.running && m->refreshes.current.begin < m->now)
-            vm_machine_run_refresh(m, m->now + CRT_PS_PER_S);
+            finish_refresh(show);
         vm_show_expose(show, next_refresh(show));
     } else if (!show->paused) {
         double ps = seconds * show->scale * (double)CRT_PS_PER_S + show->remainder_ps;
@@ -108,7 +116,7 @@ static void run_frame(struct vm_show *show, double now)
         show->remainder_ps = ps - (double)whole;
         vm_show_expose(show, m->now + whole);
     } else if (show->desc->gdb) {
-        vm_show_run(show, m->now); /* the debugger may ask */
+        vm_show_run(show, show->program, m->now); /* the debugger may ask */
     }
     uint64_t length;
     struct crt_error err;
@@ -203,7 +211,7 @@ static void loop(struct vm_show *show)
         look_after_program(show, now);
         double before = show->last_time;
         run_frame(show, now);
-        vm_show_calm(show, now - before);
+        vm_show_calm(show, fmin(now - before, LONGEST_FRAME_S));
         vm_show_note(show);
         vm_show_scope_watch(show);
         vm_show_scope(show, now);
@@ -219,12 +227,13 @@ static void loop(struct vm_show *show)
 static bool open_all(struct vm_show *show, struct crt_error *err)
 {
     const struct vm_show_desc *d = show->desc;
-    show->window = vm_window_open(d->size.width, d->size.height, "kinescope", err);
+    show->window = vm_window_open(d->size.width, d->size.height, show->sides, "kinescope", err);
     if (!show->window)
         return false;
-    for (int h = 0; h < VM_HEADS; h++) {
-        show->glass[h] = crt_glass_create(vm_window_loader(show->window), err);
-        if (!show->glass[h])
+    for (int i = 0; i < show->sides * VM_HEADS; i++) {
+        struct crt_glass **glass = &show->glass[i / VM_HEADS][i % VM_HEADS];
+        *glass = crt_glass_create(vm_window_loader(show->window), err);
+        if (!*glass)
             return false;
     }
     show->hud = vm_hud_create(err);
@@ -239,12 +248,13 @@ static void close_all(struct vm_show *show)
 {
     vm_terminal_close(&show->terminal);
     vm_show_scope_close(show);
-    vm_show_close(show->program);
+    for (int i = 0; i < show->sides; i++)
+        vm_show_close(show->side[i]);
     if (show->hud)
         vm_hud_destroy(show->hud);
-    for (int h = 0; h < VM_HEADS; h++)
-        if (show->glass[h])
-            crt_glass_destroy(show->glass[h]);
+    for (int i = 0; i < show->sides * VM_HEADS; i++)
+        if (show->glass[i / VM_HEADS][i % VM_HEADS])
+            crt_glass_destroy(show->glass[i / VM_HEADS][i % VM_HEADS]);
     if (show->window)
         vm_window_close(show->window);
 }
@@ -272,6 +282,7 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
     bool ok = show != NULL || crt_fail(err, "not enough memory for the window");
     if (ok) {
         show->desc = desc;
+        show->sides = desc->options[1] ? 2 : 1;
         show->scale = desc->scale;
         show->shutter = desc->shutter;
         show->no_flash = desc->no_flash;

@@ -1,4 +1,5 @@
-/* show.h — a program in a window: real time or slowed, with knobs, help and a status line.
+/* show.h — a program in a window: real time or slowed, with knobs, help and a status line; on one machine or
+ * on two side by side.
  *
  *      host clock ─▶ pace ─▶ machine ─▶ tubes ─▶ films of this frame ─▶ glass ─▶ window
  *      events ─▶ keys (show_keys.c) ─▶ pause, scale, knobs, program ─┘      hud ┘
@@ -7,6 +8,8 @@
  * Time:       each host frame the machine runs to T + min(elapsed, 50 ms) × scale and the film
  *             gathers exactly that time. An elapsed time within a third of a frame interval of a
  *             whole number of them counts as that number: exposures of a steady display are equal.
+ * Sides:      one machine, or two that are compared: the same acts, the same instants. What there is only one of
+ *             (pace, words, moments, the record) is the left one's.
  * Ownership:  vm_show does all in one call.
  * Errors:     an exit status and one sentence. Trouble with a program is shown on the glass; it
  *             does not end the show. Nor does firmware that ends itself, unless its console is a
@@ -28,15 +31,24 @@
 #include "emu/saved.h"
 #include "emu/sliding.h"
 #include "emu/terminal.h"
+#include "emu/versus.h"
 #include "emu/view.h"
 #include "emu/window.h"
 
+/* What may be different from side to side. */
+struct vm_show_options {
+    struct vm_settings_options settings;
+    struct vm_light_options light;
+};
+#define VM_SHOW_TABLES 2 /* that fill it */
+
 struct vm_show_desc {
-    const char *path; /* NULL: the tour */
-    const char *roms; /* folder of the tour, NULL: look for it */
-    const struct vm_settings_options *settings;
+    const char *path;                                /* NULL: the tour */
+    const char *roms;                                /* folder of the tour, NULL: look for it */
+    const struct vm_show_options *options[VM_SIDES]; /* the second NULL: one machine */
+    const struct vm_option_table *tables[VM_SIDES];  /* of those */
+    const struct vm_versus *versus;                  /* what differs */
     const struct vm_input_options *input;
-    const struct vm_light_options *light;
     struct vm_size size; /* 0: fits the monitor */
     bool full_screen;
     double scale;          /* simulated seconds a second */
@@ -67,20 +79,24 @@ enum vm_knob { /* what Up and Down turn; the first three are the monitors' */
 /* When it is shown where the beam is. */
 enum vm_where_shown { VM_WHERE_SLOW, VM_WHERE_ALWAYS, VM_WHERE_NEVER };
 
-/* What belongs to one program; its parts point at each other, so it stays where it was made. */
+/* A program on a machine; its parts point at each other, so it stays where it was made. */
 struct vm_shown {
     struct vm_input input;
     struct vm_settings settings;
     struct vm_lights lights;
     struct vm_rig rig;
-    struct vm_frame frame;         /* what was gathered last */
-    struct vm_frame piece;         /* of a long exposure: its last step */
-    struct vm_sliding *sliding;    /* NULL: none so far */
-    struct vm_calm *calm;          /* with desc->no_flash; NULL: none so far */
-    const struct vm_frame *calmed; /* what it shows */
-    struct vm_history *history;    /* NULL: no memory for it, or there is nothing to step by */
-    struct vm_gdb_past past;       /* a debugger's way to it */
-    uint64_t from;                 /* when the show of it began: later than 0 with --load-state */
+    struct vm_frame frame;          /* what was gathered last */
+    struct vm_frame piece;          /* of a long exposure: its last step */
+    struct vm_sliding *sliding;     /* NULL: none so far */
+    struct vm_calm *calm;           /* with desc->no_flash; NULL: none so far */
+    const struct vm_frame *calmed;  /* what it shows */
+    struct vm_history *history;     /* NULL: no memory for it, or there is nothing to step by */
+    struct vm_gdb_past past;        /* a debugger's way to it */
+    uint64_t from;                  /* when the show of it began: later than 0 with --load-state */
+    enum vm_view view;              /* wanted; F2 */
+    enum vm_view view_drawn;        /* in the last picture; never auto */
+    double rate_hz;                 /* refreshes a simulated second; 0: not known */
+    uint64_t rate_number, rate_end; /* of the last look at it */
 };
 
 #define VM_SCOPE_PAST (CRT_PS_PER_S / 4) /* what an oscilloscope is shown again after a step */
@@ -89,6 +105,7 @@ struct vm_shown {
 struct vm_scope {
     bool in_hand; /* the mouse's click places it */
     bool placed;
+    int side; /* on whose tube */
     enum crt_photodiode_kind kind;
     enum vm_head head;
     double x_mm, y_mm;
@@ -101,16 +118,17 @@ struct vm_scope {
 struct vm_show {
     const struct vm_show_desc *desc;
     struct vm_window *window;
-    struct crt_glass *glass[VM_HEADS];
+    struct crt_glass *glass[VM_SIDES][VM_HEADS];
     struct vm_hud *hud;
-    enum vm_view view;       /* wanted; F2 */
-    enum vm_view view_drawn; /* in the last picture; never auto */
 
-    /* The program (show_program.c). */
-    struct vm_shown *program;
+    /* The program (show_program.c), on each machine; NULL before the first. */
+    struct vm_shown *side[VM_SIDES];
+    int sides;
+    struct vm_shown *program;                  /* side[0] */
+    char caption[VM_SIDES][VM_VERSUS_CAPTION]; /* of two; UTF-8 */
     char path[4096];
     uint64_t stamp;  /* of the files shown, when they were read */
-    bool film_ready; /* program->frame holds light */
+    bool film_ready; /* the sides' frames hold light */
 
     /* The tour. */
     struct vm_roms roms;
@@ -131,6 +149,7 @@ struct vm_show {
 
     struct vm_scope scope;
     bool why_shown; /* a panel that any key closes, about a place */
+    int why_side;
     enum vm_head why_head;
     double why_x_mm, why_y_mm;
     enum vm_where_shown where;
@@ -163,8 +182,6 @@ struct vm_show {
 
     /* Status line. */
     double status_since, poll_since;
-    uint64_t rate_number, rate_end;
-    double rate_hz;
     bool trouble_shown;
     int shots;
 
@@ -179,29 +196,45 @@ void vm_show_close(struct vm_shown *program);
 void vm_show_reload(struct vm_show *show, bool force);
 bool vm_show_tour(struct vm_show *show, int step, struct crt_error *err);
 
-/* show_draw.c: the frame to the glasses; both to the window; a picture of the window. */
+/* show_sides.c: the part of the window that shows a head's tube; false: it is not shown. */
+bool vm_show_part(const struct vm_show *show, int side, int head, struct crt_glass_part *part);
+/* The captions over two sides. */
+void vm_show_name_sides(struct vm_show *show);
+/* Which screen a window pixel shows, and where. */
+struct vm_spot {
+    bool on; /* a screen */
+    int side;
+    enum vm_head head;
+    double x_mm, y_mm; /* from its middle */
+};
+struct vm_spot vm_show_spot(const struct vm_show *show, double x, double y);
+/* The same place of the left machine's tube. */
+struct vm_spot vm_show_left_spot(const struct vm_show *show, struct vm_spot spot);
+
+/* show_draw.c: the frames to the glasses; both to the window; a picture of the window. */
 void vm_show_develop(struct vm_show *show);
-void vm_show_upload(
-    struct vm_show *show); /* of vm_show_frame(); without looking which view it is */
+/* Of vm_show_frame(); without looking which view it is. */
+void vm_show_upload(struct vm_show *show);
 void vm_show_draw(struct vm_show *show, double now);
 bool vm_show_picture(struct vm_show *show, struct crt_image *image, struct crt_error *err);
 /* F2: the next view. */
 void vm_show_next_view(struct vm_show *show);
 
-/* show.c: runs the machine to `until`, or as far as a debugger lets it. */
-void vm_show_run(struct vm_show *show, uint64_t until);
+/* show.c: runs a machine to `until`, or as far as a debugger lets it. */
+void vm_show_run(struct vm_show *show, struct vm_shown *program, uint64_t until);
 
-/* show_shutter.c: runs to `until` and has the light that falls within the shutter's time before it shown. */
+/* show_shutter.c: runs all sides to `until` and has the light that falls within the shutter's time before it shown. */
 void vm_show_expose(struct vm_show *show, uint64_t until);
 /* How long the picture after a step gathers light: the shutter's time; else a tick, in slow motion as much less, so
  * that after small steps the same is seen as in between. */
 uint64_t vm_show_exposure(const struct vm_show *show);
 /* What is shown: what was gathered, or without flashes. And that it has been looked at for `seconds`. */
-const struct vm_frame *vm_show_frame(const struct vm_show *show);
+const struct vm_frame *vm_show_frame(const struct vm_show *show, const struct vm_shown *program);
 void vm_show_calm(struct vm_show *show, double seconds);
 void vm_show_turn_shutter(struct vm_show *show, int direction);
 void vm_show_say_shutter(struct vm_show *show);
-/* The head looked at, of two the vector head. */
+void vm_show_describe_shutter(uint64_t shutter, char *text, size_t size);
+/* The head looked at on the left side, of two the vector head. */
 int vm_show_main_head(const struct vm_show *show);
 /* Of what a head shows: a power of two; as "x1/32". */
 int vm_show_gain(const struct vm_show *show, int head);
@@ -211,8 +244,8 @@ void vm_show_turn_gain(struct vm_show *show, int direction);
 
 /* show_where.c: the window pixel at which a place on a head's screen is shown, and the scale there; false: it
  * is not. */
-bool vm_show_window_place(const struct vm_show *show, int head, double x_mm, double y_mm, double *x,
-                          double *y, double *mm_per_pixel);
+bool vm_show_window_place(const struct vm_show *show, int side, int head, double x_mm, double y_mm,
+                          double *x, double *y, double *mm_per_pixel);
 /* At rest, or so slow that an eye can follow the beam. */
 bool vm_show_is_slow(const struct vm_show *show);
 /* The mark at the beam's place; lines for the status, each after a line feed; the time with the digits that
@@ -253,19 +286,12 @@ void vm_show_event(struct vm_show *show, const struct vm_event *event);
 /* show_hands.c: a mouse's or key's event becomes what a person does; after the last of a frame, flush. */
 void vm_show_hand_event(struct vm_show *show, const struct vm_event *event);
 void vm_show_hand_flush(struct vm_show *show);
-/* Which screen a window pixel shows, and where. */
-struct vm_spot {
-    bool on; /* a screen */
-    enum vm_head head;
-    double x_mm, y_mm; /* from its middle */
-};
-struct vm_spot vm_show_spot(const struct vm_show *show, double x, double y);
 /* What the hand held for the program it lets go. */
 void vm_show_take_away(struct vm_show *show);
 /* F9; and for a program that has just been opened. */
 void vm_show_next_hand(struct vm_show *show);
 void vm_show_first_hand(struct vm_show *show);
-/* The act, now; nothing when its device is not connected. */
+/* The act, now, on every machine that has its device; places are of the left one's tube. */
 void vm_show_do(struct vm_show *show, struct inp_act act);
 /* show_typing.c: a key, the character it makes; none will come any more; all keys let go. */
 void vm_show_key_event(struct vm_show *show, const struct vm_event *event);

@@ -22,55 +22,37 @@ static uint64_t stamp(const struct vm_machine *m)
     return (m->now + CRT_PS_PER_US - 1) / CRT_PS_PER_US * CRT_PS_PER_US;
 }
 
-void vm_show_do(struct vm_show *show, struct inp_act act)
-{
-    struct vm_rig *rig = &show->program->rig;
-    act.t = stamp(rig->machine);
-    if (!inp_unit_has(&rig->machine->devices, &act))
-        return;
-    if (!vm_operator_do(rig->person, &act)) {
-        vm_show_say(show, "not enough memory for what you do");
-        return;
-    }
-    show->event_since = show->event_since > 0 ? show->event_since : show->event_time;
-}
-
-/* ---- places -------------------------------------------------------------------------------------
- */
-
-static bool pick(const struct vm_show *show, enum vm_head head, struct vm_size size, double x,
-                 double y, struct vm_spot *spot)
-{
-    spot->head = head;
-    spot->on = crt_glass_pick(show->glass[head], &show->program->lights.head[head], size.width,
-                              size.height, x, y, &spot->x_mm, &spot->y_mm);
-    return spot->on;
-}
-
-/* Which screen a window pixel shows, and where. */
-struct vm_spot vm_show_spot(const struct vm_show *show, double x, double y)
-{
-    struct vm_spot spot = {0};
-    struct vm_size window, size[VM_HEADS];
-    vm_window_size(show->window, &window.width, &window.height);
-    if (window.width <= 0 || window.height <= 0)
-        return spot;
-    vm_picture_sizes(&show->program->settings, show->view_drawn, window, size);
-    if (show->view_drawn != VM_VIEW_BOTH) {
-        pick(show, show->view_drawn == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR, window, x, y, &spot);
-        return spot;
-    }
-    double right = size[VM_VECTOR].width + VM_SIDE_GAP;
-    if (x < right)
-        pick(show, VM_VECTOR, size[VM_VECTOR], x, y, &spot);
-    else
-        pick(show, VM_RASTER, size[VM_RASTER], x - right, y, &spot);
-    return spot;
-}
-
 static int32_t um(double mm)
 {
     return (int32_t)floor(fmin(fmax(mm * 1000, -INP_FURTHEST), INP_FURTHEST) + 0.5);
+}
+
+/* A place in millimetres on another machine's tube. */
+static struct inp_act act_on(const struct vm_show *show, int side, struct inp_act act)
+{
+    if (side == 0 || act.space != INP_MM || (act.device != INP_PEN && act.device != INP_TOUCH))
+        return act;
+    const struct crt_tube_row *left = &show->program->settings.monitor[act.screen].row;
+    const struct crt_tube_row *row = &show->side[side]->settings.monitor[act.screen].row;
+    act.x = um((double)act.x / 1000 * row->width.value / left->width.value);
+    act.y = um((double)act.y / 1000 * row->height.value / left->height.value);
+    return act;
+}
+
+void vm_show_do(struct vm_show *show, struct inp_act act)
+{
+    act.t = stamp(show->program->rig.machine);
+    for (int i = 0; i < show->sides; i++) {
+        struct vm_rig *rig = &show->side[i]->rig;
+        const struct inp_act one = act_on(show, i, act);
+        if (!inp_unit_has(&rig->machine->devices, &one))
+            continue;
+        if (!vm_operator_do(rig->person, &one)) {
+            vm_show_say(show, "not enough memory for what you do");
+            return;
+        }
+        show->event_since = show->event_since > 0 ? show->event_since : show->event_time;
+    }
 }
 
 /* ---- one hand after the other -------------------------------------------------------------------
@@ -142,7 +124,7 @@ static void move_mouse(struct vm_show *show, double x, double y)
 
 static void move(struct vm_show *show, double x, double y)
 {
-    struct vm_spot spot = vm_show_spot(show, x, y);
+    struct vm_spot spot = vm_show_left_spot(show, vm_show_spot(show, x, y));
     if (show->hand == VM_HAND_PEN)
         move_pen(show, &spot);
     else if (show->hand == VM_HAND_STYLUS)
@@ -247,7 +229,7 @@ bool vm_show_ring(const struct vm_show *show, double *x, double *y, double *radi
         return false;
     struct vm_spot here = vm_show_spot(show, show->mouse_x, show->mouse_y);
     struct vm_spot beside = vm_show_spot(show, show->mouse_x + 8, show->mouse_y);
-    if (!here.on || !beside.on || beside.head != here.head)
+    if (!here.on || !beside.on || beside.head != here.head || beside.side != here.side)
         return false;
     double pitch = hypot(beside.x_mm - here.x_mm, beside.y_mm - here.y_mm) / 8;
     *x = show->mouse_x;

@@ -59,26 +59,32 @@ double vm_show_flash_hz(const struct crt_phosphor *phosphor, double refresh_hz, 
 
 /* How often a point of the head's screen is lit, as a rule; 0: not known. Two fields of interlaced lines lie so
  * close that an area is lit by each. */
-static double lit_hz(const struct vm_show *show, int head)
+static double lit_hz(const struct vm_shown *p, int head)
 {
-    const struct vm_machine *m = show->program->rig.machine;
+    const struct vm_machine *m = p->rig.machine;
     if (head == VM_VECTOR)
-        return show->rate_hz;
+        return p->rate_hz;
     struct crt_rate field = ras_field_rate(&m->raster.timing);
     return vm_machine_uses_raster(m) ? (double)field.num / (double)field.den : 0;
+}
+
+/* The flashes of one head of one machine in this window, Hz; 0: they do no harm. */
+static double harm(const struct vm_show *show, const struct vm_shown *p, int head)
+{
+    double shutter = (double)show->shutter / (double)CRT_PS_PER_S;
+    if (!(p->view_drawn & 1 << head))
+        return 0;
+    return vm_show_flash_hz(&p->settings.monitor[head].phosphor, lit_hz(p, head), show->scale,
+                            shutter, host_hz(show));
 }
 
 void vm_show_warn(struct vm_show *show)
 {
     char text[300];
-    double shutter = (double)show->shutter / (double)CRT_PS_PER_S;
     if (show->warned || show->no_flash || show->paused)
         return;
-    for (int h = 0; h < VM_HEADS && !show->warned; h++) {
-        if (!(show->view_drawn & 1 << h))
-            continue;
-        double hz = vm_show_flash_hz(&show->program->settings.monitor[h].phosphor, lit_hz(show, h),
-                                     show->scale, shutter, host_hz(show));
+    for (int i = 0; i < show->sides * VM_HEADS && !show->warned; i++) {
+        double hz = harm(show, show->side[i / VM_HEADS], i % VM_HEADS);
         if (hz <= 0)
             continue;
         show->warned = true;

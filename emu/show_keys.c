@@ -109,11 +109,20 @@ static void say_knob(struct vm_show *show)
     vm_show_say(show, text);
 }
 
+/* The heads that are seen of any machine. */
+static unsigned seen(const struct vm_show *show)
+{
+    unsigned heads = 0;
+    for (int i = 0; i < show->sides; i++)
+        heads |= (unsigned)show->side[i]->view_drawn;
+    return heads;
+}
+
 /* Of the monitors that are looked at; they are turned together. */
 static void set_knobs(struct vm_show *show)
 {
     for (int h = 0; h < VM_HEADS; h++)
-        if (show->program->rig.tube[h] && (show->view_drawn & 1 << h))
+        if (show->program->rig.tube[h] && (seen(show) & 1u << h))
             vm_show_turn(show, (enum vm_head)h);
 }
 
@@ -171,7 +180,7 @@ static void screenshot(struct vm_show *show)
     bool ok = vm_show_scope_save(show, name, &err) && vm_show_picture(show, &image, &err);
     if (ok) {
         ok = vm_picture_write(name, &image, show->program->input.name, &show->program->settings,
-                              show->view_drawn, vm_show_frame(show), &err);
+                              show->program->view_drawn, vm_show_frame(show, show->program), &err);
         crt_image_free(&image);
     }
     snprintf(text, sizeof text, "screenshot %s", name);

@@ -72,13 +72,15 @@ void vm_show_close(struct vm_shown *program)
 }
 
 /* Tube, machine and film for an input that has been loaded. */
-static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, struct crt_error *err)
+static bool build(struct vm_show *show, int side, struct vm_shown *p, const char *tube,
+                  struct crt_error *err)
 {
     const struct vm_show_desc *d = show->desc;
+    const struct vm_show_options *o = d->options[side];
     const struct crt_beam_header *header = p->input.is_recording ? &p->input.header : NULL;
     const char *glass = tube ? tube : vm_input_tube(&p->input);
-    if (vm_settings_resolve(d->settings, header, glass, &p->settings, err) ||
-        vm_light_settings(d->light, &p->settings, &p->lights, err) ||
+    if (vm_settings_resolve(&o->settings, header, glass, &p->settings, err) ||
+        vm_light_settings(&o->light, &p->settings, &p->lights, err) ||
         !(vm_view_suits(&p->settings, &p->input, err) &&
           vm_script_suits(&p->settings, &p->input, err)))
         return false;
@@ -87,12 +89,13 @@ static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, st
     struct vm_tubes tubes = vm_settings_tubes(&p->settings, VM_VIEW_BOTH);
     if (!vm_rig_open(&p->rig, &p->settings, &p->input, DF_TIMING_VALUE, &tubes, err))
         return false;
-    if (d->console && p->rig.console)
+    if (d->console && p->rig.console && side == 0)
         p->rig.console->desc = vm_terminal_console(&show->terminal);
     /* --load-state is for the program that the show begins with. */
     if (!show->program && !vm_saved_load(d->saved, &p->rig, &p->settings, &p->input, err))
         return false;
     p->from = p->rig.machine->now;
+    p->view = p->settings.view;
     if (!vm_frame_init(&p->frame, &p->rig, err))
         return false;
     /* Without memory for it the show goes on, only not back. */
@@ -102,7 +105,7 @@ static bool build(struct vm_show *show, struct vm_shown *p, const char *tube, st
     return true;
 }
 
-static struct vm_shown *prepare(struct vm_show *show, const char *path, const char *tube,
+static struct vm_shown *prepare(struct vm_show *show, int side, const char *path, const char *tube,
                                 struct crt_error *err)
 {
     struct vm_shown *p = calloc(1, sizeof *p);
@@ -116,7 +119,7 @@ static struct vm_shown *prepare(struct vm_show *show, const char *path, const ch
         free(p);
         return NULL;
     }
-    if (build(show, p, tube, err))
+    if (build(show, side, p, tube, err))
         return p;
     vm_show_close(p);
     return NULL;
@@ -125,8 +128,8 @@ static struct vm_shown *prepare(struct vm_show *show, const char *path, const ch
 /* What was measured of the program before does not hold for this one. */
 static void begin_measuring(struct vm_show *show)
 {
-    show->remainder_ps = show->rate_hz = show->speed = show->speed_since = 0;
-    show->rate_number = show->rate_end = show->speed_from = 0;
+    show->remainder_ps = show->speed = show->speed_since = 0;
+    show->speed_from = 0;
     show->trouble_shown = show->warned = false;
 }
 
@@ -142,28 +145,46 @@ static void end_record(struct vm_show *show)
     show->recording = false;
 }
 
+/* For every machine, or for none. */
+static bool prepare_all(struct vm_show *show, const char *path, const char *tube,
+                        struct vm_shown *side[VM_SIDES], struct crt_error *err)
+{
+    for (int i = 0; i < show->sides; i++) {
+        struct crt_error why;
+        side[i] = prepare(show, i, path, tube, &why);
+        if (side[i])
+            continue;
+        crt_fail(err, "%s%.490s", i ? "--versus: " : "", why.text);
+        vm_show_close(side[0]);
+        return false;
+    }
+    return true;
+}
+
 bool vm_show_open(struct vm_show *show, const char *path, const char *tube, struct crt_error *err)
 {
     char title[128];
     if (strlen(path) >= sizeof show->path)
         return crt_fail(err, "the name %.60s... is too long", path);
-    struct vm_shown *program = prepare(show, path, tube, err);
-    if (!program)
+    struct vm_shown *side[VM_SIDES] = {NULL};
+    if (!prepare_all(show, path, tube, side, err))
         return false;
     end_record(show);
     vm_show_scope_close(show);
-    vm_show_close(show->program);
-    show->program = program;
+    for (int i = 0; i < show->sides; i++) {
+        vm_show_close(show->side[i]);
+        show->side[i] = side[i];
+    }
+    struct vm_shown *program = show->program = show->side[0];
     vm_show_first_hand(show);
     show->film_ready = false;
     const struct vm_machine_desc *desc = &program->rig.machine->desc; /* --load-state turned them */
     show->knobs = program->settings.main == VM_RASTER ? desc->raster_knobs : desc->knobs;
-    show->view = program->settings.view;
-    show->view_drawn = VM_VIEW_AUTO;
     if (path != show->path)
         snprintf(show->path, sizeof show->path, "%s", path);
     note_time(show);
     tint_text(show);
+    vm_show_name_sides(show);
     begin_measuring(show);
     vm_show_check_unit(show);
     show->step = show->paused;
@@ -200,9 +221,9 @@ void vm_show_reload(struct vm_show *show, bool force)
         return;
     }
     if (input.is_recording || input.has_firmware || show->program->input.has_firmware ||
-        !same_tube(show, &input)) {
-        /* A recording has times of its own, firmware a console, another tube its own light:
-         * power-on again. */
+        show->sides > 1 || !same_tube(show, &input)) {
+        /* A recording has times of its own, firmware a console, another tube its own light, two machines
+         * a program each: power-on again. */
         vm_input_free(&input);
         if (vm_show_open(show, show->path, NULL, &err))
             vm_show_say(show, "loaded again");

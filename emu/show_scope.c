@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crt/png_file.h"
-#include "emu/lab/probe_parts.h"
 #include "emu/out_file.h"
 #include "emu/show.h"
 
@@ -19,6 +17,7 @@
 #define SHORTEST    1e-7 /* seconds shown, at least */
 #define LONGEST_S   0.25 /* and at most */
 #define MEASURED_S  3.0
+#define TRIGGERED   2.5  /* refreshes shown, from which on the curve ends with one */
 #define SAMPLES     1000 /* of a whole screen */
 #define MARK_LEAST  5.0  /* pixels */
 #define CAPTION_MAX 300
@@ -51,7 +50,8 @@ static bool put_on(struct vm_show *show, struct crt_error *err)
                                    .in_mm = true,
                                    .x_mm = s->x_mm,
                                    .y_mm = s->y_mm};
-    const struct vm_machine *m = show->program->rig.machine;
+    struct vm_rig *rig = &show->side[s->side]->rig;
+    const struct vm_machine *m = rig->machine;
     screen = m->dpu.desc.screen;
     if (s->head == VM_RASTER)
         screen = (struct crt_screen){m->raster.desc.width_mm, m->raster.desc.height_mm,
@@ -60,13 +60,14 @@ static bool put_on(struct vm_show *show, struct crt_error *err)
     if (s->head == VM_RASTER)
         place.y = screen.units_y - 1 - place.y;
     take_off(s);
-    return vm_probe_open(&s->probe, &show->program->rig, &place, err);
+    return vm_probe_open(&s->probe, rig, &place, err);
 }
 
-static void place_at(struct vm_show *show, enum vm_head head, double x_mm, double y_mm)
+static void place_at(struct vm_show *show, int side, enum vm_head head, double x_mm, double y_mm)
 {
     struct crt_error err;
     show->scope.placed = true;
+    show->scope.side = side;
     show->scope.head = head;
     show->scope.x_mm = x_mm;
     show->scope.y_mm = y_mm;
@@ -101,7 +102,7 @@ void vm_show_scope_key(struct vm_show *show)
     s->in_hand = true;
     vm_show_take_away(show);
     if (s->kind == CRT_DIODE_SCREEN)
-        place_at(show, (enum vm_head)vm_show_main_head(show), 0, 0);
+        place_at(show, 0, (enum vm_head)vm_show_main_head(show), 0, 0);
     vm_show_say(show,
                 "photodiode in hand: click where it is to look.  Right Ctrl A: point, disc, whole "
                 "screen; F9: the mouse is the program's again; F4: put away");
@@ -127,9 +128,9 @@ void vm_show_scope_area(struct vm_show *show)
               : s->kind == CRT_DIODE_DISC ? CRT_DIODE_SCREEN
                                           : CRT_DIODE_POINT;
     if (s->placed)
-        place_at(show, s->head, s->x_mm, s->y_mm);
+        place_at(show, s->side, s->head, s->x_mm, s->y_mm);
     else if (s->in_hand && s->kind == CRT_DIODE_SCREEN)
-        place_at(show, (enum vm_head)vm_show_main_head(show), 0, 0);
+        place_at(show, 0, (enum vm_head)vm_show_main_head(show), 0, 0);
     snprintf(text, sizeof text, "the photodiode sees %s%s", kind_name(s->kind),
              s->in_hand || s->placed ? " - Right Ctrl A" : " - F4 takes it in hand");
     vm_show_say(show, text);
@@ -143,7 +144,7 @@ bool vm_show_scope_event(struct vm_show *show, const struct vm_event *event)
     if (button && event->u.button.pressed && event->u.button.number == 0) {
         struct vm_spot spot = vm_show_spot(show, event->x, event->y);
         if (spot.on)
-            place_at(show, spot.head, spot.x_mm, spot.y_mm);
+            place_at(show, spot.side, spot.head, spot.x_mm, spot.y_mm);
         else
             vm_show_say(show, "there is no screen");
     }
@@ -218,8 +219,8 @@ static void describe(const struct vm_scope *s, char text[CAPTION_MAX])
              r->settled ? "" : "  (not settled)");
 }
 
-/* The curve, with its end at now. */
-static bool plot(struct vm_show *show, const struct vm_probe_wave *wave, uint64_t now, double span,
+/* The curve, with 0 at its end. */
+static bool plot(struct vm_show *show, const struct vm_probe_wave *wave, uint64_t end, double span,
                  struct vm_size size, struct crt_image *image, struct crt_error *err)
 {
     double unit = span >= 2e-3 ? 1e-3 : span >= 2e-6 ? 1e-6 : 1e-9, top = 0;
@@ -227,7 +228,7 @@ static bool plot(struct vm_show *show, const struct vm_probe_wave *wave, uint64_
     if (!x)
         return crt_fail(err, "not enough memory for the oscilloscope");
     for (size_t i = 0; i < wave->count; i++) {
-        x[i] = -seconds(now - wave->t[i]) / unit;
+        x[i] = -seconds(end - wave->t[i]) / unit;
         top = fmax(top, wave->cd_m2[i]);
     }
     struct vm_plot p = {.panel_count = 1};
@@ -273,6 +274,18 @@ static bool measure(struct vm_scope *s, double hz, struct crt_error *err)
     return s->known;
 }
 
+/* Where the curve ends: where refreshes are seen as a whole, with the last one, so that a steady picture's curve
+ * stands still; else now. */
+static uint64_t end_of(const struct vm_scope *s, uint64_t now, double hz, double span)
+{
+    const struct vm_probe *p = &s->probe;
+    if (p->beats == 0 || hz <= 0 || span * hz < TRIGGERED)
+        return now;
+    uint64_t end = p->beat[p->beats - 1].end;
+    return end < now && end > crt_photodiode_from(p->diode) && seconds(now - end) < span ? end
+                                                                                         : now;
+}
+
 /* Curve and figures up to now. */
 static bool look(struct vm_show *show, struct crt_image *image, struct crt_error *err)
 {
@@ -281,12 +294,12 @@ static bool look(struct vm_show *show, struct crt_image *image, struct crt_error
     uint64_t now = crt_photodiode_now(s->probe.diode);
     double hz = now_hz(s);
     double span = span_of(show, hz);
-    uint64_t t0 = since(s, now, span);
+    uint64_t end = end_of(s, now, hz, span), t0 = since(s, end, span);
     measure(s, hz, err);
     double rate = s->kind == CRT_DIODE_SCREEN ? SAMPLES / span : 0;
-    if (t0 >= now || !vm_probe_wave(&s->probe, t0, now, rate, &wave, err))
+    if (t0 >= end || !vm_probe_wave(&s->probe, t0, end, rate, &wave, err))
         return false;
-    bool ok = plot(show, &wave, now, span, picture_size(show), image, err);
+    bool ok = plot(show, &wave, end, span, picture_size(show), image, err);
     vm_probe_wave_free(&wave);
     vm_probe_forget(&s->probe, before(now, 2 * measured_s(hz)));
     return ok;
@@ -295,7 +308,7 @@ static bool look(struct vm_show *show, struct crt_image *image, struct crt_error
 void vm_show_scope_watch(struct vm_show *show)
 {
     if (show->scope.probe.diode)
-        vm_probe_watch(&show->scope.probe, show->program->rig.machine);
+        vm_probe_watch(&show->scope.probe, show->side[show->scope.side]->rig.machine);
 }
 
 void vm_show_scope(struct vm_show *show, double now)
@@ -324,8 +337,9 @@ void vm_show_mark_diode(struct vm_show *show)
 {
     const struct vm_scope *s = &show->scope;
     double x = 0, y = 0, pitch = 1;
-    bool there = s->placed && s->kind != CRT_DIODE_SCREEN &&
-                 vm_show_window_place(show, s->head, s->x_mm, s->y_mm, &x, &y, &pitch);
+    bool there =
+        s->placed && s->kind != CRT_DIODE_SCREEN &&
+        vm_show_window_place(show, s->side, (int)s->head, s->x_mm, s->y_mm, &x, &y, &pitch);
     double radius = s->kind == CRT_DIODE_DISC ? DISC_MM / 2 / pitch : 0;
     vm_hud_mark(show->hud, VM_MARK_DIODE, x, y, there ? fmax(radius, MARK_LEAST) : 0);
 }
@@ -336,17 +350,11 @@ void vm_show_mark_diode(struct vm_show *show)
 static bool save_figures(const struct vm_show *show, const char *path, struct crt_error *err)
 {
     const struct vm_scope *s = &show->scope;
-    struct vm_probe_job *job = calloc(1, sizeof *job);
     struct vm_out out;
-    if (!job)
-        return crt_fail(err, "not enough memory for the figures");
-    memcpy(job->input.name, show->program->input.name, sizeof job->input.name);
     bool ok = vm_out_open(&out, path, err);
     if (ok)
-        vm_probe_print_json(out.file, job, &s->probe, &s->report);
-    ok = vm_out_close(&out, ok, err) && ok;
-    free(job);
-    return ok;
+        vm_probe_json(out.file, show->program->input.name, &s->probe, &s->report);
+    return vm_out_close(&out, ok, err) && ok;
 }
 
 static bool save_plot(struct vm_show *show, const char *path, struct crt_error *err)
@@ -359,7 +367,7 @@ static bool save_plot(struct vm_show *show, const char *path, struct crt_error *
     const struct vm_probe_look as = {.title = title, .style = VM_PLOT_PAPER};
     if (!vm_probe_plot(&s->probe, s->report.t0, s->report.t1, &s->report, &as, &image, err))
         return false;
-    bool ok = crt_png_write(path, &image, NULL, 0, err);
+    bool ok = vm_plot_write(path, &image, title, err);
     crt_image_free(&image);
     return ok;
 }

@@ -19,13 +19,13 @@
 
 /* Runs to `until` with `frame` open: it is complete then, or as far as a debugger let it. False: it has no
  * light, and holds what it held before. */
-static bool film(struct vm_show *show, struct vm_frame *frame, uint64_t until)
+static bool film(struct vm_show *show, struct vm_shown *p, struct vm_frame *frame, uint64_t until)
 {
-    struct vm_rig *rig = &show->program->rig;
+    struct vm_rig *rig = &p->rig;
     struct vm_frame before = *frame;
     uint64_t from = rig->machine->now;
     vm_frame_open(frame, rig, from, until);
-    vm_show_run(show, until);
+    vm_show_run(show, p, until);
     if (vm_frame_end(frame, rig))
         return true;
     if (rig->machine->now <= from) { /* it stands, or has gone back */
@@ -44,14 +44,13 @@ static bool get_ready(struct vm_shown *p, struct crt_error *err)
 
 /* The step's film, added to those before it: in parts where the step is long, as the sum begins where a part
  * does. */
-static bool slide(struct vm_show *show, uint64_t until)
+static bool slide(struct vm_show *show, struct vm_shown *p, uint64_t until)
 {
-    struct vm_shown *p = show->program;
     struct crt_error err;
     bool ready = get_ready(p, &err), got = false;
     uint64_t from = p->rig.machine->now, step = until - from, parts = 4 * step / show->shutter + 1;
     for (uint64_t i = 1; ready && i <= parts; i++) {
-        if (!film(show, &p->piece, from + step * i / parts))
+        if (!film(show, p, &p->piece, from + step * i / parts))
             return got; /* a debugger holds it */
         ready = vm_sliding_add(p->sliding, &p->piece, show->shutter, &p->frame, &err);
         got |= ready;
@@ -60,22 +59,33 @@ static bool slide(struct vm_show *show, uint64_t until)
         return got;
     show->shutter = 0;
     vm_show_say(show, err.text);
-    return p->rig.machine->now < until && film(show, &p->frame, until);
+    return p->rig.machine->now < until && film(show, p, &p->frame, until);
+}
+
+/* One side; false: it has no light that is new. */
+static bool expose(struct vm_show *show, struct vm_shown *p, uint64_t until)
+{
+    const struct vm_machine *m = p->rig.machine;
+    uint64_t shutter = show->shutter;
+    if (until <= m->now)
+        return false;
+    if (shutter && shutter < until - m->now)
+        vm_show_run(show, p, until - shutter);
+    if (until <= m->now)
+        return false;
+    return shutter > until - m->now ? slide(show, p, until) : film(show, p, &p->frame, until);
 }
 
 void vm_show_expose(struct vm_show *show, uint64_t until)
 {
-    struct vm_shown *p = show->program;
-    const struct vm_machine *m = p->rig.machine;
-    uint64_t shutter = show->shutter;
-    if (until <= m->now)
+    bool got = false;
+    if (until <= show->program->rig.machine->now)
         return;
-    if (shutter && shutter < until - m->now)
-        vm_show_run(show, until - shutter);
-    if (until <= m->now)
-        return;
-    bool got = shutter > until - m->now ? slide(show, until) : film(show, &p->frame, until);
-    show->film_ready = got || vm_frame_complete(&p->frame);
+    show->film_ready = true;
+    for (int i = 0; i < show->sides; i++) {
+        got |= expose(show, show->side[i], until);
+        show->film_ready &= vm_frame_complete(&show->side[i]->frame);
+    }
     if (got)
         vm_show_develop(show);
 }
@@ -85,7 +95,7 @@ uint64_t vm_show_exposure(const struct vm_show *show)
     const struct vm_machine *m = show->program->rig.machine;
     if (show->shutter)
         return show->shutter;
-    uint64_t whole = vm_view_exposure(vm_view_now(show->view, m), m);
+    uint64_t whole = vm_view_exposure(vm_view_now(show->program->view, m), m);
     if (show->unit == VM_UNIT_REFRESH || show->scale >= 1)
         return whole;
     double part = show->scale * (double)whole; /* as while it runs */
@@ -95,34 +105,47 @@ uint64_t vm_show_exposure(const struct vm_show *show)
 /* ---- nothing flashes -----------------------------------------------------------------------------
  */
 
-const struct vm_frame *vm_show_frame(const struct vm_show *show)
+const struct vm_frame *vm_show_frame(const struct vm_show *show, const struct vm_shown *p)
 {
-    const struct vm_shown *p = show->program;
     return show->no_flash && p->calmed ? p->calmed : &p->frame;
 }
 
 void vm_show_calm(struct vm_show *show, double seconds)
 {
-    struct vm_shown *p = show->program;
     struct crt_error err;
     if (!show->no_flash || !show->film_ready)
         return;
-    if (!p->calm && !(p->calm = vm_calm_create(&p->rig, &err))) {
-        vm_show_say(show, err.text);
-        show->quit = true; /* what was promised cannot be kept */
-        return;
+    for (int i = 0; i < show->sides; i++) {
+        struct vm_shown *p = show->side[i];
+        if (!p->calm && !(p->calm = vm_calm_create(&p->rig, &err))) {
+            fprintf(stderr, "kinescope run: %s\n", err.text);
+            show->quit = true; /* what was promised cannot be kept */
+            return;
+        }
+        p->calmed = vm_calm_show(p->calm, &p->frame, seconds);
     }
-    p->calmed = vm_calm_show(p->calm, &p->frame, seconds);
     vm_show_upload(show);
 }
 
 /* ---- shutter -------------------------------------------------------------------------------------
  */
 
+void vm_show_describe_shutter(uint64_t shutter, char *text, size_t size)
+{
+    if (shutter % CRT_PS_PER_US)
+        vm_format_time(shutter, text, size);
+    else if (shutter % CRT_PS_PER_MS)
+        snprintf(text, size, "%llu us", (unsigned long long)(shutter / CRT_PS_PER_US));
+    else if (shutter % CRT_PS_PER_S)
+        snprintf(text, size, "%llu ms", (unsigned long long)(shutter / CRT_PS_PER_MS));
+    else
+        snprintf(text, size, "%llu s", (unsigned long long)(shutter / CRT_PS_PER_S));
+}
+
 void vm_show_say_shutter(struct vm_show *show)
 {
     char text[128], time[32];
-    vm_format_time(show->shutter, time, sizeof time);
+    vm_show_describe_shutter(show->shutter, time, sizeof time);
     snprintf(text, sizeof text, "shutter %s - Right Ctrl with Up, Down",
              show->shutter ? time : "auto: the time that a picture stands for");
     vm_show_say(show, text);
@@ -161,11 +184,11 @@ static double early(const struct crt_phosphor *p, double t)
 
 /* How much brighter than in a whole refresh what was just drawn is in a shorter exposure, as a power of two; less
  * what the tone curve bears, so that what fades stays in sight, too. */
-static int excess(const struct vm_show *show, int head)
+static int excess(const struct vm_show *show, const struct vm_shown *shown, int head)
 {
-    const struct crt_phosphor *p = &show->program->settings.monitor[head].phosphor;
-    const struct crt_film *f = &show->program->frame.film[head];
-    double refresh = show->rate_hz > 0 ? 1 / show->rate_hz : 1.0 / 60;
+    const struct crt_phosphor *p = &shown->settings.monitor[head].phosphor;
+    const struct crt_film *f = &shown->frame.film[head];
+    double refresh = shown->rate_hz > 0 ? 1 / shown->rate_hz : 1.0 / 60;
     double exposure = (double)(f->t1 - f->t0) / (double)CRT_PS_PER_S;
     if (!show->film_ready || !f->complete || exposure <= 0 || exposure >= refresh / 2)
         return 0;
@@ -173,9 +196,15 @@ static int excess(const struct vm_show *show, int head)
     return stops > 0 ? stops : 0;
 }
 
+/* Two machines are shown by one gain, so that they can be compared. */
 int vm_show_gain(const struct vm_show *show, int head)
 {
-    int gain = show->gain_auto ? -excess(show, head) : show->gain;
+    int most = 0;
+    for (int i = 0; i < show->sides; i++) {
+        int one = excess(show, show->side[i], head);
+        most = one > most ? one : most;
+    }
+    int gain = show->gain_auto ? -most : show->gain;
     return gain < GAIN_LEAST ? GAIN_LEAST : gain;
 }
 
@@ -186,7 +215,7 @@ void vm_show_describe_gain(int gain, char *text, size_t size)
 
 int vm_show_main_head(const struct vm_show *show)
 {
-    return show->view_drawn == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR;
+    return show->program->view_drawn == VM_VIEW_RASTER ? VM_RASTER : VM_VECTOR;
 }
 
 static void say_gain(struct vm_show *show)

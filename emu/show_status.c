@@ -8,14 +8,14 @@
 #define SPEED_S  1.0
 
 /* Refreshes a simulated second, since the last look. */
-static void measure_rate(struct vm_show *show)
+static void measure_rate(struct vm_shown *p)
 {
-    const struct vm_refresh *r = &show->program->rig.machine->refreshes.last;
-    if (show->rate_number && r->number > show->rate_number && r->end > show->rate_end)
-        show->rate_hz = (double)(r->number - show->rate_number) * (double)CRT_PS_PER_S /
-                        (double)(r->end - show->rate_end);
-    show->rate_number = r->number;
-    show->rate_end = r->end;
+    const struct vm_refresh *r = &p->rig.machine->refreshes.last;
+    if (p->rate_number && r->number > p->rate_number && r->end > p->rate_end)
+        p->rate_hz = (double)(r->number - p->rate_number) * (double)CRT_PS_PER_S /
+                     (double)(r->end - p->rate_end);
+    p->rate_number = r->number;
+    p->rate_end = r->end;
 }
 
 /* Simulated seconds a host second, where the host cannot keep up. */
@@ -49,7 +49,7 @@ static void describe_exposure(const struct vm_show *show, char *text, size_t siz
 {
     char shutter[48] = "", gain[48] = "", time[32], factor[32];
     int g = vm_show_gain(show, vm_show_main_head(show));
-    vm_format_time(show->shutter, time, sizeof time);
+    vm_show_describe_shutter(show->shutter, time, sizeof time);
     vm_show_describe_gain(g, factor, sizeof factor);
     if (show->shutter)
         snprintf(shutter, sizeof shutter, "  shutter %s", time);
@@ -77,16 +77,16 @@ static const char *describe_state(const struct vm_machine *m)
 }
 
 /* What is looked at; of the raster head with its mode. */
-static void describe_tubes(const struct vm_show *show, char *tube, char *phosphor, size_t size)
+static void describe_tubes(const struct vm_shown *p, char *tube, char *phosphor, size_t size)
 {
-    const struct vm_monitor *m = show->program->settings.monitor;
+    const struct vm_monitor *m = p->settings.monitor;
     char mode[32] = "";
-    if (show->program->rig.buffer)
-        ras_timing_name(&show->program->rig.machine->raster.timing, mode, sizeof mode);
-    if (show->view_drawn == VM_VIEW_RASTER) {
+    if (p->rig.buffer)
+        ras_timing_name(&p->rig.machine->raster.timing, mode, sizeof mode);
+    if (p->view_drawn == VM_VIEW_RASTER) {
         snprintf(tube, size, "%.23s", m[VM_RASTER].row.name);
         snprintf(phosphor, size, "%.15s  %s", m[VM_RASTER].phosphor.name, mode);
-    } else if (show->view_drawn == VM_VIEW_BOTH) {
+    } else if (p->view_drawn == VM_VIEW_BOTH) {
         snprintf(tube, size, "%.23s + %.23s", m[VM_VECTOR].row.name, m[VM_RASTER].row.name);
         snprintf(phosphor, size, "%.15s  %s", m[VM_RASTER].phosphor.name, mode);
     } else {
@@ -95,11 +95,21 @@ static void describe_tubes(const struct vm_show *show, char *tube, char *phospho
     }
 }
 
+/* Phosphor and rate of the left machine, tube, phosphor and rate of the right one. */
+static void describe_both(const struct vm_show *show, const char *left, char *text, size_t size)
+{
+    char tube[64], phosphor[64];
+    const struct vm_shown *p = show->side[1];
+    describe_tubes(p, tube, phosphor, sizeof tube);
+    snprintf(text, size, "%s %.1f Hz | %s/%s %.1f Hz", left, show->program->rate_hz, tube, phosphor,
+             p->rate_hz);
+}
+
 bool vm_status_text(const struct vm_status *s, int columns, char *text, size_t size)
 {
     /* What is left out first is what changes least. */
     for (int left_out = 0; left_out < 4; left_out++) {
-        char rate[32] = "", words[32] = "", tube[96] = "";
+        char rate[32] = "", words[32] = "", tube[300] = "";
         if (s->rate_hz > 0)
             snprintf(rate, sizeof rate, "  %.1f Hz", s->rate_hz);
         if (s->rate_hz > 0 && s->words > 0 && left_out < 1)
@@ -117,26 +127,30 @@ bool vm_status_text(const struct vm_status *s, int columns, char *text, size_t s
 
 void vm_show_status(struct vm_show *show, double now)
 {
-    char text[800], time[32], scale[200], tube[64], phosphor[64];
+    char text[800], time[32], scale[200], tube[64], phosphor[64], both[240];
     int width, height;
     const struct vm_machine *m = show->program->rig.machine;
     measure_speed(show, now);
     if (now - show->status_since < STATUS_S)
         return;
     show->status_since = now;
-    measure_rate(show);
+    for (int i = 0; i < show->sides; i++)
+        measure_rate(show->side[i]);
     vm_show_warn(show);
+    vm_show_name_sides(show); /* views and modes change */
     vm_show_describe_time(show, time, sizeof time);
     describe_scale(show, scale, 64);
     describe_exposure(show, scale + strlen(scale), sizeof scale - strlen(scale));
-    describe_tubes(show, tube, phosphor, sizeof tube);
+    describe_tubes(show->program, tube, phosphor, sizeof phosphor);
+    if (show->sides > 1)
+        describe_both(show, phosphor, both, sizeof both);
     const struct vm_status status = {.name = show->program->input.name,
                                      .tube = tube,
-                                     .phosphor = phosphor,
+                                     .phosphor = show->sides > 1 ? both : phosphor,
                                      .time = time,
                                      .scale = scale,
                                      .state = describe_state(m),
-                                     .rate_hz = show->rate_hz,
+                                     .rate_hz = show->sides > 1 ? 0 : show->program->rate_hz,
                                      .words = m->refreshes.last.words};
     vm_window_size(show->window, &width, &height);
     vm_status_text(&status, vm_hud_columns(width, height), text, 400);

@@ -18,20 +18,23 @@ static const char *const unit_names[] = {[VM_UNIT_INSTRUCTION] = "instruction",
 
 void vm_show_note(struct vm_show *show)
 {
-    if (show->program->history)
-        vm_history_note(show->program->history);
+    for (int i = 0; i < show->sides; i++)
+        if (show->side[i]->history)
+            vm_history_note(show->side[i]->history);
 }
 
 void vm_show_mark(struct vm_show *show)
 {
-    if (show->program->history)
-        vm_history_mark(show->program->history);
+    for (int i = 0; i < show->sides; i++)
+        if (show->side[i]->history)
+            vm_history_mark(show->side[i]->history);
 }
 
 void vm_show_forget(struct vm_show *show)
 {
-    if (show->program->history)
-        vm_history_forget(show->program->history);
+    for (int i = 0; i < show->sides; i++)
+        if (show->side[i]->history)
+            vm_history_forget(show->side[i]->history);
 }
 
 /* ---- stepping -----------------------------------------------------------------------------------
@@ -74,10 +77,10 @@ static bool forward(struct vm_show *show, struct crt_error *err)
 }
 
 /* The oscilloscope sees the refreshes. */
-static void run_watched(struct vm_show *show, uint64_t until)
+static void run_watched(struct vm_show *show, struct vm_shown *p, uint64_t until)
 {
-    struct vm_machine *m = show->program->rig.machine;
-    if (!show->scope.placed) {
+    struct vm_machine *m = p->rig.machine;
+    if (!show->scope.placed || show->side[show->scope.side] != p) {
         vm_machine_run(m, until > m->now ? until : m->now);
         return;
     }
@@ -89,9 +92,9 @@ static void run_watched(struct vm_show *show, uint64_t until)
 
 /* Goes to `place`, which is past or present, once more, with the light of the shutter's time, or
  * of the tick, that ends there on film. */
-static bool expose(struct vm_show *show, const struct place *place, struct crt_error *err)
+static bool expose_side(struct vm_show *show, struct vm_shown *p, const struct place *place,
+                        struct crt_error *err)
 {
-    struct vm_shown *p = show->program;
     struct vm_machine *m = p->rig.machine;
     uint64_t exposure = vm_show_exposure(show), back = exposure + LONGEST_WORD;
     uint64_t from = place->now > exposure ? place->now - exposure : 0;
@@ -100,18 +103,31 @@ static bool expose(struct vm_show *show, const struct place *place, struct crt_e
         back = VM_SCOPE_PAST;
     if (!vm_history_recall(p->history, place->now > back ? place->now - back : 0, err))
         return false;
-    run_watched(show, from);
+    run_watched(show, p, from);
     if (place->now > m->now) {
         vm_frame_open(&p->frame, &p->rig, m->now, place->now);
-        run_watched(show, place->now);
-        vm_show_develop(show);
-        show->film_ready = true;
+        run_watched(show, p, place->now);
     }
     /* What happens at that very moment, and had happened. */
     vm_machine_run_words(m, place->words, place->now + 1);
     if (p->rig.board)
         vm_machine_run_retired(m, place->retired, place->now);
     return true;
+}
+
+/* The left machine at its place, the other one at the same instant. */
+static bool expose(struct vm_show *show, const struct place *place, struct crt_error *err)
+{
+    bool ok = true, ready = true;
+    for (int i = 0; ok && i < show->sides; i++) {
+        const struct place instant = {.now = place->now};
+        ok = expose_side(show, show->side[i], i == 0 ? place : &instant, err);
+        ready &= vm_frame_complete(&show->side[i]->frame);
+    }
+    show->film_ready = ready;
+    if (ok && ready)
+        vm_show_develop(show);
+    return ok;
 }
 
 /* What comes next, as text. */

@@ -18,28 +18,22 @@
  */
 
 /* The middle of a head's part of the window. */
-static bool middle_of(const struct vm_show *show, int head, double *x, double *y)
+static bool middle_of(const struct vm_show *show, int side, int head, double *x, double *y)
 {
-    struct vm_size window, size[VM_HEADS];
-    vm_window_size(show->window, &window.width, &window.height);
-    if (window.width <= 0 || window.height <= 0 || !(show->view_drawn & 1 << head))
+    struct crt_glass_part part;
+    if (!vm_show_part(show, side, head, &part))
         return false;
-    *x = window.width / 2.0;
-    *y = window.height / 2.0;
-    if (show->view_drawn != VM_VIEW_BOTH)
-        return true;
-    vm_picture_sizes(&show->program->settings, show->view_drawn, window, size);
-    *x = head == VM_VECTOR ? size[VM_VECTOR].width / 2.0
-                           : size[VM_VECTOR].width + VM_SIDE_GAP + size[VM_RASTER].width / 2.0;
+    *x = part.x + part.w / 2.0;
+    *y = part.y + part.h / 2.0;
     return true;
 }
 
 /* The glass tells millimetres of a pixel; what is wanted is the other way round, found step by step, as a
  * face's curvature is slight. */
-bool vm_show_window_place(const struct vm_show *show, int head, double x_mm, double y_mm, double *x,
-                          double *y, double *mm_per_pixel)
+bool vm_show_window_place(const struct vm_show *show, int side, int head, double x_mm, double y_mm,
+                          double *x, double *y, double *mm_per_pixel)
 {
-    if (!middle_of(show, head, x, y))
+    if (!middle_of(show, side, head, x, y))
         return false;
     struct vm_spot here = vm_show_spot(show, *x, *y);
     struct vm_spot beside = vm_show_spot(show, *x + PROBE_PIX, *y);
@@ -54,7 +48,7 @@ bool vm_show_window_place(const struct vm_show *show, int head, double x_mm, dou
         if (hypot(dx, dy) < NEAR)
             return true;
         here = vm_show_spot(show, *x, *y);
-        if (!here.on || here.head != (enum vm_head)head)
+        if (!here.on || here.side != side || here.head != (enum vm_head)head)
             return false;
     }
     return true;
@@ -74,26 +68,33 @@ static bool told(const struct vm_show *show)
            (show->where == VM_WHERE_SLOW && vm_show_is_slow(show));
 }
 
+static void mark_beam(struct vm_show *show, int side, int head)
+{
+    static const enum vm_hud_mark mark[VM_SIDES][VM_HEADS] = {
+        {VM_MARK_BEAM, VM_MARK_BEAM_RASTER}, {VM_MARK_BEAM_RIGHT, VM_MARK_BEAM_RASTER_RIGHT}};
+    const struct vm_shown *p = show->side[side];
+    double x = 0, y = 0, pitch;
+    bool there = false;
+    if (told(show) && (p->view_drawn & 1 << head)) {
+        struct vm_where w = vm_where(p->rig.machine, (enum vm_head)head);
+        there = w.known && w.on_screen &&
+                vm_show_window_place(show, side, head, w.x_mm, w.y_mm, &x, &y, &pitch);
+    }
+    vm_hud_mark(show->hud, mark[side][head], x, y, there ? MARK : 0);
+}
+
 void vm_show_mark_beam(struct vm_show *show)
 {
-    static const enum vm_hud_mark mark[VM_HEADS] = {VM_MARK_BEAM, VM_MARK_BEAM_RASTER};
-    for (int h = 0; h < VM_HEADS; h++) {
-        double x = 0, y = 0, pitch;
-        bool there = false;
-        if (told(show) && (show->view_drawn & 1 << h)) {
-            struct vm_where w = vm_where(show->program->rig.machine, (enum vm_head)h);
-            there = w.known && w.on_screen &&
-                    vm_show_window_place(show, h, w.x_mm, w.y_mm, &x, &y, &pitch);
-        }
-        vm_hud_mark(show->hud, mark[h], x, y, there ? MARK : 0);
-    }
+    for (int i = 0; i < show->sides; i++)
+        for (int h = 0; h < VM_HEADS; h++)
+            mark_beam(show, i, h);
 }
 
 void vm_show_describe_where(const struct vm_show *show, char *text, size_t size)
 {
     text[0] = '\0';
     for (int h = 0; h < VM_HEADS && told(show); h++) {
-        if (!(show->view_drawn & 1 << h))
+        if (!(show->program->view_drawn & 1 << h))
             continue;
         struct vm_where w = vm_where(show->program->rig.machine, (enum vm_head)h);
         size_t used = strlen(text);

@@ -1,7 +1,6 @@
 /* show_why.c — Right Ctrl with a click: what put the light there, as a panel over the picture at rest. */
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "emu/lab/why_text.h"
 #include "emu/show.h"
@@ -51,26 +50,17 @@ static void keep(void *ctx, const char *line)
     l->count += l->line[l->count] != NULL;
 }
 
-/* Octal words and tapes have lines, but no source. */
-static struct vm_why_names names_of(const struct vm_shown *p, const struct vm_source_lines *lines)
+static void show_answer(struct vm_show *show, const struct vm_shown *p, const struct vm_why *why,
+                        bool lower)
 {
-    const struct df_program *program = &p->input.program;
-    const char *dot = program->file_count ? strrchr(program->files[0], '.') : NULL;
-    bool source = program->words && dot && strcasecmp(dot, ".df") == 0;
-    return (struct vm_why_names){.program = source ? program : NULL,
-                                 .elf = p->input.has_firmware ? &p->input.elf : NULL,
-                                 .lines = lines};
-}
-
-static void show_answer(struct vm_show *show, const struct vm_why *why, bool lower)
-{
-    const struct vm_shown *p = show->program;
     struct lines lines = {.count = 0};
     struct vm_source_lines *source = NULL;
     if (p->input.has_firmware)
         source = vm_source_lines_open((const uint8_t *)p->input.image, p->input.image_size);
-    const struct vm_why_text text = {
-        .names = names_of(p, source), .columns = COLUMNS, .most = LINES - 2, .least = LEAST};
+    const struct vm_why_text text = {.names = vm_why_names_of(&p->input, source),
+                                     .columns = COLUMNS,
+                                     .most = LINES - 2,
+                                     .least = LEAST};
     vm_why_lines(why, &text, keep, &lines);
     keep(&lines, "");
     keep(&lines, "Any key closes this; F5 goes on.");
@@ -84,8 +74,8 @@ static void show_answer(struct vm_show *show, const struct vm_why *why, bool low
 
 static void ask(struct vm_show *show, double x, double y)
 {
-    struct vm_shown *p = show->program;
     struct vm_spot spot = vm_show_spot(show, x, y);
+    struct vm_shown *p = show->side[spot.side];
     struct vm_why why;
     struct crt_error err;
     int width, height;
@@ -109,7 +99,8 @@ static void ask(struct vm_show *show, double x, double y)
         return;
     }
     vm_window_size(show->window, &width, &height);
-    show_answer(show, &why, y > height / 2.0);
+    show_answer(show, p, &why, y > height / 2.0);
+    show->why_side = spot.side;
     show->why_head = spot.head;
     show->why_x_mm = spot.x_mm;
     show->why_y_mm = spot.y_mm;
@@ -141,7 +132,8 @@ bool vm_show_why_event(struct vm_show *show, const struct vm_event *event)
 void vm_show_mark_asked(struct vm_show *show)
 {
     double x = 0, y = 0, pitch;
-    bool there = show->why_shown && vm_show_window_place(show, (int)show->why_head, show->why_x_mm,
-                                                         show->why_y_mm, &x, &y, &pitch);
+    bool there =
+        show->why_shown && vm_show_window_place(show, show->why_side, (int)show->why_head,
+                                                show->why_x_mm, show->why_y_mm, &x, &y, &pitch);
     vm_hud_mark(show->hud, VM_MARK_ASKED, x, y, there ? MARK : 0);
 }

@@ -163,11 +163,11 @@ static void item_text(const char *item, const struct vm_versus_side *side, enum 
     else if (strcmp(name, "refresh") == 0)
         snprintf(text, size, "%.4g Hz", crt_rate_hz(s->tick));
     else if (strcmp(name, "mode") == 0)
-        ras_timing_name(&s->timing, text, size);
+        ras_timing_name(side->timing ? side->timing : &s->timing, text, size);
     else if (strcmp(name, "personality") == 0)
         snprintf(text, size, "%s", s->personality == DF_VS60 ? "VS60" : "VT11");
     else if (strcmp(name, "view") == 0)
-        snprintf(text, size, "%s", vm_view_name(s->view));
+        snprintf(text, size, "%s", vm_view_name(side->view));
     else if (strcmp(name, "set") == 0)
         set_text(item + length + 1, s, text, size);
     else if (row)
@@ -184,8 +184,8 @@ static void join(char *text, const char *part)
         snprintf(text + n, VM_VERSUS_CAPTION - n, "%s%s", n ? " \xC2\xB7 " : "", part);
 }
 
-static void join_all(const struct vm_versus *v, const struct vm_versus_side side[2], bool same_too,
-                     char text[2][VM_VERSUS_CAPTION])
+static void join_all(const struct vm_versus *v, const struct vm_versus_side side[VM_SIDES],
+                     bool same_too, char text[VM_SIDES][VM_VERSUS_CAPTION])
 {
     for (int i = 0; i < v->count; i++) {
         char part[2][96];
@@ -198,8 +198,8 @@ static void join_all(const struct vm_versus *v, const struct vm_versus_side side
     }
 }
 
-void vm_versus_captions(const struct vm_versus *v, const struct vm_versus_side side[2],
-                        char text[2][VM_VERSUS_CAPTION])
+void vm_versus_captions(const struct vm_versus *v, const struct vm_versus_side side[VM_SIDES],
+                        char text[VM_SIDES][VM_VERSUS_CAPTION])
 {
     text[0][0] = text[1][0] = '\0';
     join_all(v, side, false, text);

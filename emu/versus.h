@@ -17,6 +17,7 @@
 
 #include "emu/settings.h"
 
+#define VM_SIDES          2 /* left, right */
 #define VM_VERSUS_MOST    32
 #define VM_VERSUS_CAPTION 160
 
@@ -36,10 +37,13 @@ struct vm_versus_side {
     const struct vm_option_table *tables;
     size_t table_count;
     const struct vm_settings *settings;
+    const struct ras_timing
+        *timing;       /* that the raster head runs in by now; NULL: of the settings */
+    enum vm_view view; /* wanted by now */
 };
 /* What each side is called: what differs, in the same words for either; what was said but is the same on both
  * is left out, unless all is. UTF-8. */
-void vm_versus_captions(const struct vm_versus *versus, const struct vm_versus_side side[2],
-                        char text[2][VM_VERSUS_CAPTION]);
+void vm_versus_captions(const struct vm_versus *versus, const struct vm_versus_side side[VM_SIDES],
+                        char text[VM_SIDES][VM_VERSUS_CAPTION]);
 
 #endif

@@ -35,7 +35,8 @@ static bool no_window(struct crt_error *err)
 }
 
 /* A square that leaves room for title bar and panels. */
-static void default_size(int *width, int *height)
+/* Squares side by side. */
+static void default_size(int squares, int *width, int *height)
 {
     int x = 0, y = 0, w = 0, h = 0;
     GLFWmonitor *monitor = glfwGetPrimaryMonitor();
@@ -46,6 +47,10 @@ static void default_size(int *width, int *height)
         side = 480;
     *width = side;
     *height = side;
+    if (squares > 1) {
+        *width = squares * side < (int)(0.95 * w) ? squares * side : (int)(0.95 * w);
+        *height = *width / squares < side ? *width / squares : side;
+    }
 }
 
 /* No larger than the monitor: what lies outside would be drawn for nobody. */
@@ -59,11 +64,11 @@ static void fit_monitor(int *width, int *height)
     *height = *height < mode->height ? *height : mode->height;
 }
 
-static bool open_handle(struct vm_window *window, int width, int height, const char *title,
-                        struct crt_error *err)
+static bool open_handle(struct vm_window *window, int width, int height, int squares,
+                        const char *title, struct crt_error *err)
 {
     if (width <= 0 || height <= 0)
-        default_size(&width, &height);
+        default_size(squares, &width, &height);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
@@ -80,7 +85,8 @@ static bool open_handle(struct vm_window *window, int width, int height, const c
     return crt_gl_load(&window->gl, glfwGetProcAddress, err);
 }
 
-struct vm_window *vm_window_open(int width, int height, const char *title, struct crt_error *err)
+struct vm_window *vm_window_open(int width, int height, int squares, const char *title,
+                                 struct crt_error *err)
 {
     struct vm_window *window = calloc(1, sizeof *window);
     if (!window) {
@@ -92,7 +98,7 @@ struct vm_window *vm_window_open(int width, int height, const char *title, struc
         free(window);
         return NULL;
     }
-    if (open_handle(window, width, height, title, err)) {
+    if (open_handle(window, width, height, squares, title, err)) {
         window->events = vm_event_queue_create(window->handle);
         if (window->events)
             return window;

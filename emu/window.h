@@ -125,10 +125,11 @@ struct vm_event {
 
 struct vm_window;
 
-/* Opens a window of width × height pixels (0, 0: a square that fits the monitor) and makes its
+/* Opens a window of width × height pixels (0, 0: so many squares side by side that fit the monitor) and makes its
  * GL 3.3 core context current; vsync is on. NULL and a sentence when there is no display or no
  * GL 3.3. */
-struct vm_window *vm_window_open(int width, int height, const char *title, struct crt_error *err);
+struct vm_window *vm_window_open(int width, int height, int squares, const char *title,
+                                 struct crt_error *err);
 void vm_window_close(struct vm_window *window);
 
 /* For crt_glass_create. */

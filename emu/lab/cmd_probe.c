@@ -2,12 +2,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crt/png_file.h"
 #include "emu/command.h"
 #include "emu/lab/probe_parts.h"
 #include "emu/out_file.h"
 #include "emu/script_suits.h"
 #include "emu/view.h"
+
+#define FORGOTTEN 1e-12
 
 #define ROW(field) offsetof(struct vm_probe_options, field)
 
@@ -93,7 +94,12 @@ static bool read_along(struct vm_probe_job *job, struct crt_error *err)
     if (o->field || o->pupil > 0 || o->luminance > 0 || o->rate > 0)
         return crt_fail(err, "--along is of mean light; leave out --field, --pupil, --luminance "
                              "and --rate");
-    return read_place("--along", o->along, &job->along[0], &job->along[1], err);
+    double x, y;
+    if (!read_place("--at", o->place, &x, &y, err) ||
+        !read_place("--along", o->along, &job->along[0], &job->along[1], err))
+        return false;
+    return x != job->along[0] || y != job->along[1] ||
+           crt_fail(err, "--at and --along are the same place; give two");
 }
 
 static bool read_signals(struct vm_probe_job *job, struct crt_error *err)
@@ -181,6 +187,14 @@ static struct vm_tubes tubes_for(const struct vm_probe_job *job)
     return tubes;
 }
 
+/* What has faded but for a part of FORGOTTEN by the beginning need not be seen by the diode. */
+static void wait_for_diode(struct vm_probe_job *job, struct vm_machine *m)
+{
+    uint64_t lead = vm_probe_fading(&job->settings.monitor[job->place.head].phosphor, FORGOTTEN);
+    if (job->from > m->now + lead)
+        vm_progress_run(&job->progress, m, job->from - lead);
+}
+
 /* To the beginning; what deposits came before is of no interest, their light is. */
 static void lead_in(struct vm_probe_job *job, struct vm_probe *probe, struct vm_machine *m)
 {
@@ -208,8 +222,7 @@ static bool write_plot(struct vm_probe_job *job, struct vm_probe *probe,
                                  job->o.projector ? VM_PLOT_PROJECTOR : VM_PLOT_PAPER, job->o.log};
     if (!vm_probe_plot(probe, job->from, job->to, report, &look, &image, err))
         return false;
-    const struct crt_png_text texts[] = {{"Title", title}};
-    bool ok = crt_png_write(job->o.out, &image, texts, 1, err);
+    bool ok = vm_plot_write(job->o.out, &image, title, err);
     crt_image_free(&image);
     return ok;
 }
@@ -224,9 +237,9 @@ static bool write_csv(struct vm_probe_job *job, struct vm_probe *probe, struct c
     return ok;
 }
 
-static bool goes_to_stdout(const char *path)
+bool vm_probe_to_stdout(const struct vm_probe_options *o)
 {
-    return path && strcmp(path, "-") == 0;
+    return (o->csv && strcmp(o->csv, "-") == 0) || (o->out && strcmp(o->out, "-") == 0);
 }
 
 static bool write_all(struct vm_probe_job *job, struct vm_probe *probe,
@@ -246,8 +259,8 @@ static bool write_all(struct vm_probe_job *job, struct vm_probe *probe,
     if ((job->o.csv && !write_csv(job, probe, err)) ||
         (job->o.out && !write_plot(job, probe, report, err)))
         return false;
-    if (!goes_to_stdout(job->o.csv) && !goes_to_stdout(job->o.out))
-        vm_probe_print_json(stdout, job, probe, report);
+    if (!vm_probe_to_stdout(&job->o))
+        vm_probe_json(stdout, job->input.name, probe, report);
     return true;
 }
 
@@ -263,7 +276,6 @@ static bool measure(struct vm_probe_job *job, struct vm_rig *rig, struct crt_err
     if (job->o.pupil > 0)
         probe.viewer.pupil_mm = job->o.pupil;
     probe.eye_cd_m2 = job->o.luminance;
-    vm_progress_begin(&job->progress);
     lead_in(job, &probe, rig->machine);
     vm_probe_run(&probe, rig->machine, job->to);
     vm_progress_end(&job->progress);
@@ -281,9 +293,14 @@ static bool see_light(struct vm_probe_job *job, struct crt_error *err)
     struct vm_tubes tubes = tubes_for(job);
     if (!vm_rig_open(&rig, &job->settings, &job->input, DF_TIMING_VALUE, &tubes, err))
         return false;
-    bool ok = vm_saved_load(&job->o.saved, &rig, &job->settings, &job->input, err) &&
-              (job->o.along ? vm_probe_measure_along : measure)(job, &rig, err) &&
-              vm_saved_save(&job->o.saved, &rig, &job->settings, &job->input, err);
+    bool ok = vm_saved_load(&job->o.saved, &rig, &job->settings, &job->input, err);
+    if (ok) {
+        vm_progress_begin(&job->progress);
+        wait_for_diode(job, rig.machine);
+        ok = (job->o.along ? vm_probe_measure_along : measure)(job, &rig, err);
+        vm_progress_end(&job->progress);
+    }
+    ok = ok && vm_saved_save(&job->o.saved, &rig, &job->settings, &job->input, err);
     vm_rig_close(&rig);
     return ok;
 }

@@ -22,6 +22,8 @@
 #ifndef EMU_LAB_PROBE_H
 #define EMU_LAB_PROBE_H
 
+#include <stdio.h>
+
 #include "crt/flicker.h"
 #include "crt/image.h"
 #include "crt/waveform.h"
@@ -89,11 +91,17 @@ struct vm_probe_report {
 bool vm_probe_report(struct vm_probe *probe, uint64_t t0, uint64_t t1,
                      struct vm_probe_report *report, struct crt_error *err);
 
+/* The report as one flat JSON object, keys always in the same order; numbers that are none are null. */
+void vm_probe_json(FILE *out, const char *program, const struct vm_probe *probe,
+                   const struct vm_probe_report *report);
+
 /* The period's rate alone, Hz; 0: nothing repeats. */
 double vm_probe_hz(const struct vm_probe *probe, uint64_t t0, uint64_t t1);
 
 /* Samples. hz > 0: evenly spaced from t0 on, before t1. hz 0: where the curve wants them, from t0 to t1: at
- * the ends of deposits and so densely between them that straight lines are within a thousandth of it. */
+ * the ends of deposits and so densely between them that straight lines are within a thousandth of it.
+ * VM_PROBE_LOOK: the same, but not finer than a picture shows. */
+#define VM_PROBE_LOOK (-1.0)
 struct vm_probe_wave {
     size_t count;
     int colours;

@@ -19,19 +19,24 @@
 
 /* ---- when --------------------------------------------------------------------------------------- */
 
-/* How long from power-on until all but UNSETTLED of the steady light is there: w·e^(−t/tau) of each term
- * is missing. */
-static uint64_t settling(const struct crt_phosphor *p)
+uint64_t vm_probe_fading(const struct crt_phosphor *p, double part)
 {
-    uint64_t t = VM_SETTLED_PS;
+    uint64_t t = CRT_PS_PER_MS;
     for (; t < LEAD_MOST; t += t / 16) {
-        double missing = 0;
+        double left = 0;
         for (int k = 0; k < p->terms; k++)
-            missing += p->term[k].w * crt_exp(-(double)t * 1e-12 / p->term[k].tau_s);
-        if (missing <= UNSETTLED)
+            left += p->term[k].w * crt_exp(-(double)t * 1e-12 / p->term[k].tau_s);
+        if (left <= part)
             return t;
     }
     return LEAD_MOST;
+}
+
+/* How long from power-on until all but UNSETTLED of the steady light is there. */
+static uint64_t settling(const struct crt_phosphor *p)
+{
+    uint64_t t = vm_probe_fading(p, UNSETTLED);
+    return t > VM_SETTLED_PS ? t : VM_SETTLED_PS;
 }
 
 /* A recording ends some time: its second half. */
@@ -63,7 +68,8 @@ static int find_from(struct vm_probe_job *job, struct vm_rig *rig, struct crt_er
             vm_moment_find(rig, &job->o.moment, &job->settings, &job->input, &job->from, err);
         if (status)
             return status;
-        slow = settling(&job->settings.monitor[job->settings.main].phosphor);
+        bool raster = vm_view_now(job->settings.view, m) == VM_VIEW_RASTER;
+        slow = settling(&job->settings.monitor[raster ? VM_RASTER : VM_VECTOR].phosphor);
         if (!job->o.moment.when && !job->signals && loaded == 0)
             job->from += slow - VM_SETTLED_PS;
     }
@@ -71,22 +77,24 @@ static int find_from(struct vm_probe_job *job, struct vm_rig *rig, struct crt_er
     return VM_EXIT_OK;
 }
 
-/* Six refreshes and a tenth of a second by default, or what there is of them. */
+/* Six refreshes and a tenth of a second by default, or as many as there are within some seconds. */
 static uint64_t default_end(struct vm_machine *m, uint64_t from)
 {
+    const struct vm_refresh *last = &m->refreshes.last;
     struct vm_refresh first = {0};
-    while (m->now < from + PATIENCE && vm_machine_run_refresh(m, from + PATIENCE)) {
-        const struct vm_refresh *last = &m->refreshes.last;
-        if (first.number == 0) {
+    uint64_t found = 0;
+    while (found < PERIODS && m->now < from + PATIENCE &&
+           vm_machine_run_refresh(m, from + PATIENCE)) {
+        if (first.number == 0)
             first = *last;
-            continue;
-        }
-        double period = (double)(last->end - first.end) / (double)(last->number - first.number);
-        double most = fmax(PERIODS, ceil((double)LENGTH_PS / period));
-        if (last->number - first.number >= PERIODS)
-            return from + (uint64_t)(most * period + period / SLACK);
+        found = last->number - first.number;
     }
-    return from + VM_SETTLED_PS;
+    if (found == 0)
+        return from + VM_SETTLED_PS;
+    double period = (double)(last->end - first.end) / (double)found;
+    double whole =
+        found < PERIODS ? (double)found : fmax(PERIODS, ceil((double)LENGTH_PS / period));
+    return from + (uint64_t)(whole * period + period / SLACK);
 }
 
 /* An oscilloscope shows one refresh of the vector head; of the raster head some lines in the middle of a
@@ -172,6 +180,9 @@ static bool check_trouble(const struct vm_probe_job *job, struct vm_machine *m,
                           struct crt_error *err)
 {
     struct crt_error trouble;
+    /* What has not lit the beam yet may still do so, after its first sync tick. */
+    if (m->strokes == 0 && !vm_machine_uses_raster(m))
+        vm_machine_run(m, VM_SETTLED_PS);
     enum vm_trouble found = vm_find_trouble(m, &job->input, &trouble);
     if (!found || job->o.allow_dark || (found == VM_TROUBLE_DARK && vm_machine_uses_raster(m)))
         return true;

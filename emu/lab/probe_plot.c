@@ -98,7 +98,7 @@ bool vm_probe_plot(struct vm_probe *probe, uint64_t t0, uint64_t t1,
                    struct crt_image *image, struct crt_error *err)
 {
     struct vm_probe_wave wave;
-    if (!vm_probe_wave(probe, t0, t1, 0, &wave, err))
+    if (!vm_probe_wave(probe, t0, t1, VM_PROBE_LOOK, &wave, err))
         return false;
     double *x = malloc(wave.count * sizeof *x);
     bool ok = x || crt_fail(err, "not enough memory for the plot; shorten the time");

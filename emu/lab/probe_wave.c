@@ -9,7 +9,9 @@
 #define OFF       1e-3
 #define FLOOR     1e-4 /* of the peak: below, nobody looks */
 #define WEAK      1e-5 /* deposits with less, as a part of the strongest, get no samples of their own */
-#define HALVINGS  12 /* of the way, within a deposit */
+#define HALVINGS  12   /* of the way, within a deposit */
+#define A_LOOK    2000 /* deposits; with more there are only their ends when it is to be looked at */
+#define COLUMNS   20000 /* no plot has more */
 #define MANY      20000
 #define MOST      20000000 /* samples: 1 GB */
 #define PER_WHOLE 200      /* at least, so that a curve that hardly bends is drawn smoothly */
@@ -115,7 +117,8 @@ static void add_deposit(struct instants *s, const struct crt_deposit *d, int hal
     }
 }
 
-static void add_deposits(struct instants *s, const struct vm_probe *p, uint64_t t0, uint64_t t1)
+static void add_deposits(struct instants *s, const struct vm_probe *p, uint64_t t0, uint64_t t1,
+                         size_t many)
 {
     size_t count, first = 0;
     const struct crt_deposit *d = crt_photodiode_deposits(p->diode, &count);
@@ -125,7 +128,7 @@ static void add_deposits(struct instants *s, const struct vm_probe *p, uint64_t 
         first++;
     while (count > first && d[count - 1].t0 >= t1)
         count--;
-    int halvings = count - first > MANY ? 0 : whole ? HALVINGS / 2 : HALVINGS;
+    int halvings = count - first > many ? 0 : whole ? HALVINGS / 2 : HALVINGS;
     for (size_t i = first; i < count; i++)
         most = fmax(most, fluence(&d[i], p->phosphor->colours));
     for (size_t i = first; i < count; i++)
@@ -147,32 +150,34 @@ static double stride(const struct vm_probe *p, uint64_t t, double peak)
 }
 
 static void add_decays(struct instants *all, const struct instants *ends, const struct vm_probe *p,
-                       double peak)
+                       double peak, double least)
 {
     double most = (double)(ends->t[ends->count - 1] - ends->t[0]) / PER_WHOLE;
     for (size_t i = 0; i + 1 < ends->count && !all->failed; i++) {
         uint64_t t = ends->t[i], end = ends->t[i + 1];
         while (t < end && !all->failed) {
             add(all, t);
-            double far = fmin(stride(p, t, peak), most);
+            double far = fmax(fmin(stride(p, t, peak), most), least);
             uint64_t left = end - t;
-            t = far < (double)left ? t + (far > 1 ? (uint64_t)far : 1) : end;
+            t = far < (double)left ? t + (uint64_t)far : end;
         }
     }
     add(all, ends->t[ends->count - 1]);
 }
 
-static void adapt(struct instants *s, const struct vm_probe *p, uint64_t t0, uint64_t t1)
+/* `least`: no step is shorter, ps, but for ends of deposits. */
+static void adapt(struct instants *s, const struct vm_probe *p, uint64_t t0, uint64_t t1,
+                  double least)
 {
     struct instants ends = {0};
     struct crt_waveform_figures figures;
     crt_waveform_measure(p->diode, t0, t1, 1e12 / (double)(t1 - t0), &figures);
     add(&ends, t0);
     add(&ends, t1);
-    add_deposits(&ends, p, t0, t1);
+    add_deposits(&ends, p, t0, t1, least > 1 ? A_LOOK : MANY);
     if (!ends.failed) {
         sort(&ends);
-        add_decays(s, &ends, p, figures.peak_cd_m2);
+        add_decays(s, &ends, p, figures.peak_cd_m2, least);
     }
     s->failed = s->failed || ends.failed;
     free(ends.t);
@@ -211,7 +216,7 @@ bool vm_probe_wave(struct vm_probe *probe, uint64_t t0, uint64_t t1, double hz,
     if (hz > 0)
         space_evenly(&s, t0, t1, hz);
     else
-        adapt(&s, probe, t0, t1);
+        adapt(&s, probe, t0, t1, hz < 0 ? fmax((double)(t1 - t0) / COLUMNS, 1) : 1);
     bool ok = s.failed ? no_memory(err) : take_room(wave, s.count, err);
     if (ok) {
         wave->count = s.count;

@@ -25,6 +25,9 @@
 /* Smaller parts of the light are not worth that. */
 #define LEAST_ASKED 0.01
 
+/* More deposits than that are not kept: the older half of them becomes what is older. */
+#define MOST_DEPOSITS 200000
+
 /* Cells of the planes that nobody looks at. */
 #define CELLS 8
 
@@ -102,6 +105,11 @@ static void go(struct run *r, uint64_t until)
         vm_progress_trace(&r->progress, m, next, &r->record.hooks);
         const struct crt_deposit *deposit = crt_photodiode_deposits(r->diode, &count);
         vm_why_record_prune(&r->record, deposit, count, m->now);
+        if (count > MOST_DEPOSITS) {
+            uint64_t t = deposit[count / 2].t0;
+            crt_photodiode_forget(r->diode, t);
+            vm_why_record_forget(&r->record, t);
+        }
     }
 }
 

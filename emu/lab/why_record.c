@@ -300,6 +300,16 @@ void vm_why_record_prune(struct vm_why_record *r, const struct crt_deposit *depo
     r->count = to;
 }
 
+void vm_why_record_forget(struct vm_why_record *r, uint64_t t)
+{
+    size_t gone = 0;
+    while (gone < r->count && r->note[gone].t0 < t)
+        gone++;
+    memmove(r->note, r->note + gone, (r->count - gone) * sizeof *r->note);
+    r->count -= gone;
+    r->kept = r->kept > gone ? r->kept - gone : 0;
+}
+
 const struct vm_why_deposit *vm_why_record_find(const struct vm_why_record *r,
                                                 const struct crt_deposit *deposit)
 {

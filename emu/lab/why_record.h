@@ -43,6 +43,8 @@ void vm_why_record_free(struct vm_why_record *record);
 /* Forgets notes of what began before `now` and is no deposit. */
 void vm_why_record_prune(struct vm_why_record *record, const struct crt_deposit *deposit,
                          size_t count, uint64_t now);
+/* Forgets those that began before t. */
+void vm_why_record_forget(struct vm_why_record *record, uint64_t t);
 /* The note of a deposit; NULL: there is none. */
 const struct vm_why_deposit *vm_why_record_find(const struct vm_why_record *record,
                                                 const struct crt_deposit *deposit);

@@ -109,6 +109,32 @@ static void add_head(struct sentence *s, const struct vm_why *why)
 
 /* ---- in the dark ----------------------------------------------------------------------------- */
 
+/* Mean luminance of what was drawn lately, cd/m². */
+static double lately(const struct vm_why *why)
+{
+    const double seconds = (double)VM_WHY_LATELY / (double)CRT_PS_PER_S;
+    uint64_t from = why->t > VM_WHY_LATELY ? why->t - VM_WHY_LATELY : 0;
+    double fluence = 0;
+    for (size_t i = 0; i < why->count; i++)
+        if (why->deposit[i].t0 >= from)
+            fluence += why->deposit[i].fluence;
+    return fluence / seconds;
+}
+
+/* Between two refreshes a quick phosphor is dark; the eye is slower. */
+static void say_faded(struct vm_why_writer *w)
+{
+    const struct vm_why *why = w->why;
+    char text[200], when[32], span[32];
+    vm_why_ago(why, why->deposit[why->count - 1].t0, when, sizeof when);
+    vm_format_time(VM_WHY_LATELY, span, sizeof span);
+    snprintf(text, sizeof text,
+             "It was lit %s ago and has faded since: the light of the last %s has a mean of %.4g "
+             "cd/m2.",
+             when, span, lately(why));
+    vm_why_wrap(w, "", text);
+}
+
 static void say_nearest(struct vm_why_writer *w)
 {
     const struct vm_why *why = w->why;
@@ -122,12 +148,12 @@ static void say_nearest(struct vm_why_writer *w)
     vm_why_say_source(why, &w->text->names, &why->nearest, source, sizeof source);
     vm_why_say_what(why, &why->nearest, what, sizeof what);
     vm_why_ago(why, why->nearest.t0, when, sizeof when);
+    bool words = why->place.head == VM_VECTOR && why->nearest.named;
     if (why->place.head == VM_RASTER)
         snprintf(source, sizeof source, "dot %d of scan line %d", (int)why->nearest.row.dot,
                  (int)(int32_t)why->nearest.source);
     snprintf(text, sizeof text, "The lit beam came nearest with %s, %.3g mm away, %s ago%s%s",
-             source, why->nearest_mm, when, why->place.head == VM_VECTOR ? ": " : ".",
-             why->place.head == VM_VECTOR && !why->recording ? what : "");
+             source, why->nearest_mm, when, words ? ": " : ".", words ? what : "");
     vm_why_wrap(w, "", text);
 }
 
@@ -255,7 +281,9 @@ void vm_why_lines(const struct vm_why *why, const struct vm_why_text *text,
         put_sentence(&w);
     else
         vm_why_short_head(&w);
-    if (why->luminance < VM_WHY_DARK) {
+    if (why->luminance < VM_WHY_DARK && lately(why) >= VM_WHY_DARK) {
+        say_faded(&w);
+    } else if (why->luminance < VM_WHY_DARK) {
         say_nearest(&w);
         say_passed(&w);
     }

@@ -90,7 +90,7 @@ void vm_why_say_source(const struct vm_why *why, const struct vm_why_names *name
     if (why->place.head == VM_RASTER)
         snprintf(text, size, "scan line %d", (int)(int32_t)d->source);
     else if (why->recording)
-        snprintf(text, size, "the recording");
+        snprintf(text, size, "word %06o of the recording", (unsigned)d->source);
     else if (vm_why_source_line(names, d, &file, &line))
         snprintf(text, size, "line %u of %s", (unsigned)line, file);
     else

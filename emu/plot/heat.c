@@ -43,7 +43,7 @@ static double widest_cell(const struct vm_heat *heat, struct vm_type type)
  * (C. Brewer, M. Harrower, 2003). */
 static struct vm_rgb colour_of(double value)
 {
-    static const double anchor[6][3] = {{222, 235, 247}, {255, 237, 160}, {254, 190, 90},
+    static const double anchor[6][3] = {{222, 235, 247}, {254, 217, 118}, {253, 170, 72},
                                         {252, 120, 50},  {214, 24, 32},   {110, 0, 38}};
     if (isnan(value))
         return (struct vm_rgb){190, 190, 190};

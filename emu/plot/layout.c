@@ -8,6 +8,7 @@
 #define APART        1.1  /* panel from panel */
 #define STRIP        1.3  /* a line of a legend above a panel */
 #define EXPONENT     1.55 /* an exponent above a panel */
+#define SMALLEST     0.6  /* letters of crowded plots, of the style's */
 #define LABEL_LEAST  0.7  /* how small the label of a low panel may become */
 
 bool vm_layout_begin(struct vm_layout *l, const struct vm_plot *plot, struct crt_error *err)
@@ -217,22 +218,35 @@ static struct vm_size arrange(struct vm_layout *l, const struct vm_look *look, s
 static void strips(struct vm_layout *l, const struct vm_look *look)
 {
     for (int i = 0; i < l->plot->panel_count; i++)
-        l->place[i].strip = vm_legend_strip(look, &l->plot->panel[i], l->right - l->left);
+        l->place[i].strip = vm_legend_strip(
+            look, &l->plot->panel[i], fmax(l->right - l->left, LEAST_WIDTH * look->type.size));
+}
+
+/* What is wanting when every panel has its legend above it, with the smallest letters. */
+static struct vm_size wanting(struct vm_layout *l, enum vm_plot_style style, struct vm_size size)
+{
+    struct vm_look look = vm_look_of(style, size);
+    vm_look_shrink(&look, SMALLEST);
+    for (int round = 0; round < 2; round++) {
+        arrange(l, &look, size); /* the lines of a legend follow from the width of the panels */
+        strips(l, &look);
+    }
+    return arrange(l, &look, size);
 }
 
 static bool too_small(struct vm_layout *l, enum vm_plot_style style, struct vm_size size,
                       struct crt_error *err)
 {
-    struct vm_size enough = size;
-    for (int round = 0; round < 100; round++) {
-        struct vm_look look = vm_look_of(style, enough);
-        strips(l, &look);
-        struct vm_size more = arrange(l, &look, enough);
-        if (more.width == 0 && more.height == 0)
-            break;
-        enough.width += more.width > 0 ? 10 + more.width / 2 : 0;
-        enough.height += more.height > 0 ? 10 + more.height / 2 : 0;
+    struct vm_size enough = size, more = wanting(l, style, enough);
+    while ((more.width > 0 || more.height > 0) && enough.width < CRT_IMAGE_MAX_SIDE &&
+           enough.height < CRT_IMAGE_MAX_SIDE) {
+        /* Letters grow with the height, so lines of words become fewer only with the width. */
+        enough.width += 10 + enough.width / 10;
+        enough.height += more.height > 0 ? 10 + enough.height / 10 : 0;
+        more = wanting(l, style, enough);
     }
+    if (more.width > 0 || more.height > 0)
+        return crt_fail(err, "this plot has too many panels and labels for a picture; take fewer");
     return crt_fail(err,
                     "a picture of %dx%d is too small for this plot with letters that can be read; "
                     "%dx%d would do",
@@ -240,13 +254,16 @@ static bool too_small(struct vm_layout *l, enum vm_plot_style style, struct vm_s
                     (enough.height + 9) / 10 * 10);
 }
 
-bool vm_layout_find(struct vm_layout *l, struct vm_sheet *sheet, struct crt_error *err)
+/* With the sheet's letters; false when there is too little room for them. */
+static bool find(struct vm_layout *l, struct vm_sheet *sheet, struct vm_size size)
 {
-    struct vm_size size = {sheet->image->width, sheet->image->height};
-    for (int round = 0; round < 2; round++) {
+    for (int i = 0; i < l->plot->panel_count; i++)
+        l->place[i].strip = 0;
+    /* A strip above one panel moves the others, whose legends may then need one too. */
+    for (int round = 0; round <= l->plot->panel_count; round++) {
         struct vm_size more = arrange(l, &sheet->look, size);
         if (more.width > 0 || more.height > 0)
-            return too_small(l, sheet->look.style, size, err);
+            return false;
         bool placed = true;
         for (int i = 0; i < l->plot->panel_count; i++)
             if (!vm_legend_place(sheet, &l->place[i])) {
@@ -258,4 +275,17 @@ bool vm_layout_find(struct vm_layout *l, struct vm_sheet *sheet, struct crt_erro
             break;
     }
     return true;
+}
+
+bool vm_layout_find(struct vm_layout *l, struct vm_sheet *sheet, struct crt_error *err)
+{
+    struct vm_size size = {sheet->image->width, sheet->image->height};
+    const struct vm_look wished = sheet->look;
+    for (double share = 1; share > SMALLEST - 0.05; share -= 0.1) {
+        sheet->look = wished;
+        vm_look_shrink(&sheet->look, share);
+        if (find(l, sheet, size))
+            return true;
+    }
+    return too_small(l, wished.style, size, err);
 }

@@ -174,12 +174,12 @@ bool vm_legend_place(struct vm_sheet *sheet, struct vm_place *place)
 int vm_legend_strip(const struct vm_look *look, const struct vm_plot_panel *panel, double width)
 {
     double x = 0;
-    int lines = 1;
+    int lines = 0;
     for (int i = 0; i < panel->series_count; i++) {
         if (!listed(&panel->series[i]))
             continue;
         double w = entry_width(look, &panel->series[i], width);
-        if (x > 0 && x + w > width) {
+        if (lines == 0 || x + w > width) {
             lines++;
             x = 0;
         }

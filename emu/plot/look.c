@@ -65,6 +65,13 @@ struct vm_look vm_look_of(enum vm_plot_style style, struct vm_size size)
     return look;
 }
 
+void vm_look_shrink(struct vm_look *look, double share)
+{
+    const double legible = 11;
+    look->type.size = at_least(look->type.size * share, legible);
+    look->title.size = at_least(look->title.size * share, legible + 1);
+}
+
 int vm_look_colour(const struct vm_plot_series *series, int order)
 {
     int colour = series->colour < 0 ? order : series->colour;

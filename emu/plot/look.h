@@ -24,6 +24,8 @@ struct vm_look {
 };
 
 struct vm_look vm_look_of(enum vm_plot_style style, struct vm_size size);
+/* Letters of `share` of their size, but not below what can be read (11 pixels). */
+void vm_look_shrink(struct vm_look *look, double share);
 /* Of the series that is the `order`th of its panel. */
 int vm_look_colour(const struct vm_plot_series *series, int order);
 

@@ -6,10 +6,12 @@
  *             bytes on every machine, which no plotting library promises.
  * Text:       UTF-8 of ASCII and of the letters of units and formulas (µ ² ° · × − ± τ σ λ Δ ≤ ≥ …).
  * Units:      whatever the labels say; every axis has a label with its unit.
- * Style:      letters no smaller than 1/45 of the picture's height (projector: 1/28, thicker lines); light on
- *             dark for the scope.
+ * Style:      letters no smaller than 1/45 of the picture's height (projector: 1/28, thicker lines), but never below 11
+ *             pixels; light on dark with a graticule for the scope. Crowded plots and heat maps of many rows have
+ *             smaller letters, down to 11 pixels.
  * Ownership:  the caller's arrays and strings; the image is the caller's to free.
- * Errors:     out of memory, or nothing to show: one sentence. Samples that are not finite leave a gap.
+ * Errors:     out of memory, nothing to show, or a picture too small for letters (with a size that would do): one
+ *             sentence. Samples that are not finite leave a gap, and so do those not above 0 on a logarithmic axis.
  */
 #ifndef EMU_PLOT_PLOT_H
 #define EMU_PLOT_PLOT_H

@@ -10,16 +10,23 @@
 /* A share of a step by which an end of the axis may miss its tick. */
 #define NEAR 1e-9
 
-/* value · 10^k, correctly rounded while 10^|k| is exact. */
+/* 10^k, exact up to 22. */
+static double power_of_ten(int k)
+{
+    double power = 1, square = 10;
+    for (; k > 0; k >>= 1) {
+        power *= k & 1 ? square : 1;
+        square *= square;
+    }
+    return power;
+}
+
+/* value · 10^k, correctly rounded while 10^|k| is exact. Two factors, for powers beyond the range of a double. */
 static double scaled(double value, int k)
 {
-    double power = 1;
-    for (int i = 0; i < (k < 0 ? -k : k) && i < 150; i++)
-        power *= 10;
-    double rest = 1;
-    for (int i = 150; i < (k < 0 ? -k : k); i++)
-        rest *= 10;
-    return k < 0 ? value / power / rest : value * power * rest;
+    int n = k < 0 ? -k : k, first = n > 150 ? 150 : n;
+    double a = power_of_ten(first), b = n > first ? power_of_ten(n - first) : 1;
+    return k < 0 ? value / a / b : value * a * b;
 }
 
 /* The greatest k with 10^k <= v. */
@@ -35,6 +42,9 @@ static int decade_of(double v)
 
 /* ---- labels ------------------------------------------------------------------------------------- */
 
+/* Room for "⁻³²⁴", the least exponent of a double. */
+#define RAISED 16
+
 static void raised(int exponent, char *text, size_t size)
 {
     static const char *const digit[10] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -49,7 +59,7 @@ static void raised(int exponent, char *text, size_t size)
 
 void vm_exponent_text(int exponent, char text[40])
 {
-    char power[32];
+    char power[RAISED];
     raised(exponent, power, sizeof power);
     snprintf(text, 40, "×10%s", power);
 }
@@ -122,7 +132,7 @@ static void put(struct vm_ticks *ticks, int m, int k, bool plain)
         return;
     struct vm_tick *tick = &ticks->major[ticks->count++];
     tick->at = scaled(m, k);
-    char power[32];
+    char power[RAISED];
     raised(k, power, sizeof power);
     if (plain)
         decimal(m, k, tick->label, sizeof tick->label);
@@ -168,14 +178,14 @@ static void logarithmic(struct vm_ticks *ticks, double low, double high, int mos
     while (i < 8 && (decades + strides[i] - 1) / strides[i] > most)
         i++;
     for (int k = first; k <= last; k++)
-        for (int m = 1; m <= 9; m++) {
+        for (int m = 1; m <= (decades <= 12 ? 9 : 1); m++) {
             double at = scaled(m, k);
             if (!within(at, low, high))
                 continue;
             bool whole = m == 1 && ((k % strides[i]) + strides[i]) % strides[i] == 0;
             if (dense ? m == 1 || m == 2 || m == 5 : whole)
                 put(ticks, m, k, plain);
-            else if (m == 1 || decades <= 12)
+            else
                 put_minor(ticks, at);
         }
 }

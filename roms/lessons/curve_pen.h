@@ -1,7 +1,6 @@
-/* curve_pen.h — curves and points that can be seen from the back of a room.
+/* curve_pen.h — what lessons on curves draw beside lines and points: splines, arrows, words.
  *
- * Models:     lines two dots wide on the raster head, discs for points, letters twice as high; on
- *             the vector head single lines, crosses and its own letters.
+ * Models:     lines as brush.h has them, letters twice as high; on the vector head its own letters.
  * Units:      stage units (stage.h).
  * Ownership:  nothing.
  * Errors:     none.
@@ -11,16 +10,9 @@
 
 #include "roms/curves/cubic_kind.h"
 #include "roms/curves/spline.h"
-#include "roms/stage/stage.h"
+#include "roms/stage/brush.h"
 
-void pen_line(struct stage *s, struct vector3 a, struct vector3 b, enum ink ink);
-void pen_thin(struct stage *s, struct vector3 a, struct vector3 b, enum ink ink);
-void pen_polyline(struct stage *s, const struct vector3 *points, int count, enum ink ink);
-void pen_bezier(struct stage *s, const struct vector3 *points, int count, enum ink ink);
-void pen_cubic(struct stage *s, const struct cubic *cubic, enum ink ink);
 void pen_spline(struct stage *s, const struct spline *spline, enum ink ink);
-/* `radius` in stage units. */
-void pen_point(struct stage *s, struct vector3 at, float radius, enum ink ink);
 void pen_arrow(struct stage *s, struct vector3 from, struct vector3 along, enum ink ink);
 /* Big letters, about x. */
 void pen_words(struct stage *s, float x, float y, enum ink ink, const char *text);

@@ -94,7 +94,7 @@ void curves_draw_controls(const struct curves_view *v, struct stage *s, enum ink
     char name[16];
     for (int i = 0; i < v->count; i++) {
         bool chosen = i == v->chosen;
-        pen_point(s, v->point[i], chosen ? 16 : 10, chosen ? INK_BRIGHT : ink);
+        brush_point(s, v->point[i], chosen ? 16 : 10, chosen ? INK_BRIGHT : ink);
         snprintf(name, sizeof name, "p%d", i);
         stage_text(s, v->point[i].x + 16, v->point[i].y + 12, name);
     }

@@ -11,8 +11,8 @@ static void draw_up_to(const struct curves_view *v, struct stage *s, const struc
 {
     struct vector3 left[BEZIER_POINTS_MOST], right[BEZIER_POINTS_MOST];
     casteljau_halves(c, left, right);
-    pen_bezier(s, right, v->count, INK_GRID);
-    pen_bezier(s, left, v->count, INK_YELLOW);
+    brush_bezier(s, right, v->count, INK_GRID);
+    brush_bezier(s, left, v->count, INK_YELLOW);
 }
 
 /* A line with a mark at u, and u in big figures. */
@@ -21,8 +21,8 @@ static void draw_scale(struct stage *s, float u)
     enum { LEFT = 200, RIGHT = 800, Y = 40 };
     char text[16];
     struct vector3 at = {LEFT + (RIGHT - LEFT) * u, Y, 0};
-    pen_thin(s, (struct vector3){LEFT, Y, 0}, (struct vector3){RIGHT, Y, 0}, INK_TEXT);
-    pen_point(s, at, 12, INK_RED);
+    brush_thin(s, (struct vector3){LEFT, Y, 0}, (struct vector3){RIGHT, Y, 0}, INK_TEXT);
+    brush_point(s, at, 12, INK_RED);
     snprintf(text, sizeof text, "u = %.2f", (double)u);
     pen_words(s, 1000, Y - 16, INK_RED, text);
     stage_ink(s, INK_TEXT);
@@ -36,11 +36,11 @@ static void draw_level(struct stage *s, const struct casteljau *c, int level)
         {"p01", "p12", "p23", "p34"}, {"p012", "p123", "p234", ""}, {"p0123", "p1234", "", ""}};
     int count = c->count - level;
     for (int i = 0; i + 1 < count; i++)
-        pen_line(s, casteljau_at(c, level, i), casteljau_at(c, level, i + 1), levels[level]);
+        brush_line(s, casteljau_at(c, level, i), casteljau_at(c, level, i + 1), levels[level]);
     for (int i = 0; i < count; i++) {
         struct vector3 p = casteljau_at(c, level, i);
-        pen_point(s, p, level + 1 == c->count ? 14 : 8,
-                  level + 1 == c->count ? INK_RED : levels[level]);
+        brush_point(s, p, level + 1 == c->count ? 14 : 8,
+                    level + 1 == c->count ? INK_RED : levels[level]);
         if (level <= 3 && i < 4 && c->count - 1 > level)
             stage_text(s, p.x + 14, p.y + 10, names[level - 1][i]);
     }
@@ -52,7 +52,7 @@ static void casteljau(const struct curves_view *v, struct stage *s)
     casteljau_begin(&c, v->point, v->count, v->value);
     while (casteljau_next(&c))
         continue;
-    pen_polyline(s, v->point, v->count, INK_TEXT);
+    brush_path(s, v->point, v->count, INK_TEXT);
     draw_up_to(v, s, &c);
     for (int level = 1; level < c.count; level++)
         draw_level(s, &c, level);
@@ -83,8 +83,8 @@ static void draw_plot(struct stage *s, float u)
 {
     enum { STEPS = 32 };
     float before[4], value[4];
-    pen_thin(s, plot_at(0, 0), plot_at(1, 0), INK_TEXT);
-    pen_thin(s, plot_at(0, 0), plot_at(0, 1), INK_TEXT);
+    brush_thin(s, plot_at(0, 0), plot_at(1, 0), INK_TEXT);
+    brush_thin(s, plot_at(0, 0), plot_at(0, 1), INK_TEXT);
     stage_text_middle(s, PLOT_LEFT, PLOT_BOTTOM - 36, "u = 0");
     stage_text_middle(s, PLOT_LEFT + PLOT_SIZE, PLOT_BOTTOM - 36, "1");
     stage_text_middle(s, PLOT_LEFT - 26, PLOT_BOTTOM + PLOT_SIZE - 8, "1");
@@ -92,15 +92,15 @@ static void draw_plot(struct stage *s, float u)
     for (int i = 1; i <= STEPS; i++) {
         bezier_blending(3, (float)i / STEPS, value);
         for (int k = 0; k < 4; k++) {
-            pen_line(s, plot_at((float)(i - 1) / STEPS, before[k]),
-                     plot_at((float)i / STEPS, value[k]), functions[k]);
+            brush_line(s, plot_at((float)(i - 1) / STEPS, before[k]),
+                       plot_at((float)i / STEPS, value[k]), functions[k]);
             before[k] = value[k];
         }
     }
-    pen_thin(s, plot_at(u, 0), plot_at(u, 1), INK_BRIGHT);
+    brush_thin(s, plot_at(u, 0), plot_at(u, 1), INK_BRIGHT);
     bezier_blending(3, u, value);
     for (int k = 0; k < 4; k++)
-        pen_point(s, plot_at(u, value[k]), 10, functions[k]);
+        brush_point(s, plot_at(u, value[k]), 10, functions[k]);
 }
 
 /* How much each point counts: a disc of that area, and the figure. */
@@ -110,7 +110,7 @@ static void draw_weights(const struct curves_view *v, struct stage *s, float u)
     char text[24];
     bezier_blending(3, u, value);
     for (int k = 0; k < 4; k++) {
-        pen_point(s, v->point[k], 6 + 46 * sqrtf(value[k]), functions[k]);
+        brush_point(s, v->point[k], 6 + 46 * sqrtf(value[k]), functions[k]);
         snprintf(text, sizeof text, "%.3f", (double)value[k]);
         stage_text_middle(s, v->point[k].x, v->point[k].y - 84, text);
     }
@@ -119,10 +119,10 @@ static void draw_weights(const struct curves_view *v, struct stage *s, float u)
 static void blending(const struct curves_view *v, struct stage *s)
 {
     static const char *const names[] = {"BEZ0,3", "BEZ1,3", "BEZ2,3", "BEZ3,3"};
-    pen_polyline(s, v->point, 4, INK_GRID);
+    brush_path(s, v->point, 4, INK_GRID);
     draw_weights(v, s, v->value);
-    pen_bezier(s, v->point, 4, INK_YELLOW);
-    pen_point(s, bezier_point(v->point, 4, v->value), 14, INK_RED);
+    brush_bezier(s, v->point, 4, INK_YELLOW);
+    brush_point(s, bezier_point(v->point, 4, v->value), 14, INK_RED);
     draw_plot(s, v->value);
     for (int k = 0; k < 4; k++) {
         stage_ink(s, functions[k]);
@@ -130,7 +130,7 @@ static void blending(const struct curves_view *v, struct stage *s)
                           names[k]);
     }
     if (v->chosen >= 0)
-        pen_point(s, v->point[v->chosen], 8, INK_BRIGHT);
+        brush_point(s, v->point[v->chosen], 8, INK_BRIGHT);
 }
 
 const struct curves_page curves_page_blending = {

@@ -49,9 +49,9 @@ static void draw_comb(struct stage *s, const struct vector3 *curve, enum ink ink
         float bent = vector3_cross(d, cubic_derivative(&q, 2, u)).z / (length * length * length);
         float tooth = fminf(fmaxf(-bent * LONG, -MOST), MOST) / length;
         struct vector3 tip = {p.x - d.y * tooth, p.y + d.x * tooth, 0};
-        pen_thin(s, p, tip, ink);
+        brush_thin(s, p, tip, ink);
         if (i > 0)
-            pen_thin(s, before, tip, ink);
+            brush_thin(s, before, tip, ink);
         before = tip;
     }
 }
@@ -64,7 +64,8 @@ static void draw_verdicts(struct stage *s, const struct continuity *c)
         float x = 130 + 90 * (float)(i % 3) + (i < 3 ? 0.0f : 670);
         pen_words(s, x, 30, holds[i] ? INK_GREEN : INK_GRID, names[i]);
         if (!holds[i])
-            pen_thin(s, (struct vector3){x - 24, 26, 0}, (struct vector3){x + 24, 62, 0}, INK_RED);
+            brush_thin(s, (struct vector3){x - 24, 26, 0}, (struct vector3){x + 24, 62, 0},
+                       INK_RED);
     }
 }
 
@@ -85,14 +86,14 @@ static void join(const struct curves_view *v, struct stage *s)
     struct continuity c = continuity_of(&j);
     draw_comb(s, p, INK_BLUE);
     draw_comb(s, q, INK_VIOLET);
-    pen_polyline(s, p, 4, INK_GRID);
-    pen_polyline(s, q, 4, INK_GRID);
-    pen_bezier(s, p, 4, INK_CYAN);
-    pen_bezier(s, q, 4, INK_YELLOW);
+    brush_path(s, p, 4, INK_GRID);
+    brush_path(s, q, 4, INK_GRID);
+    brush_bezier(s, p, 4, INK_CYAN);
+    brush_bezier(s, q, 4, INK_YELLOW);
     pen_arrow(s, p[3], vector3_times(j.p[1], -1 / 3.0f), INK_CYAN);
     pen_arrow(s, p[3], vector3_times(j.q[1], 1 / 3.0f), INK_YELLOW);
     curves_draw_controls(v, s, INK_CYAN);
-    pen_point(s, p[3], 12, INK_RED);
+    brush_point(s, p[3], 12, INK_RED);
     draw_verdicts(s, &c);
     pen_words(s, 600, 740, INK_BRIGHT, at->what);
 }

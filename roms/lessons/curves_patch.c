@@ -111,10 +111,11 @@ static void draw_net(struct stage *s, const struct bezier_patch *patch,
             row[k] = seen(view, patch->at[j][k]);
             column[k] = seen(view, patch->at[k][j]);
         }
-        pen_polyline(s, row, 4, INK_TEXT);
-        pen_polyline(s, column, 4, INK_TEXT);
+        brush_path(s, row, 4, INK_TEXT);
+        brush_path(s, column, 4, INK_TEXT);
         for (int k = 0; k < 4; k++)
-            pen_point(s, row[k], j == 1 && k == 1 ? 16 : 8, j == 1 && k == 1 ? INK_RED : INK_CYAN);
+            brush_point(s, row[k], j == 1 && k == 1 ? 16 : 8,
+                        j == 1 && k == 1 ? INK_RED : INK_CYAN);
     }
 }
 
@@ -130,8 +131,8 @@ static void draw_curves(struct stage *s, const struct bezier_patch *patch,
             along_u[k] = seen(view, along_u[k]);
             along_v[k].z = along_u[k].z = 0;
         }
-        pen_bezier(s, along_v, 4, INK_YELLOW);
-        pen_bezier(s, along_u, 4, INK_YELLOW);
+        brush_bezier(s, along_v, 4, INK_YELLOW);
+        brush_bezier(s, along_u, 4, INK_YELLOW);
     }
 }
 

@@ -63,7 +63,7 @@ static void tension(const struct curves_view *v, struct stage *s)
                 struct vector3 before = spline_point(&spline, (float)k), p;
                 for (int n = 1; n <= 10; n++, before = p) {
                     p = spline_point(&spline, (float)k + (float)n / 10);
-                    pen_thin(s, before, p, INK_GRID);
+                    brush_thin(s, before, p, INK_GRID);
                 }
             }
     if (!cardinal_through(v, t, &spline))
@@ -97,13 +97,13 @@ static void b_spline(const struct curves_view *v, struct stage *s)
         moved.point[point].y += 240 * (v->value - 0.5f);
     if (!spline_b_spline(moved.point, moved.count, &spline))
         return;
-    pen_polyline(s, moved.point, moved.count, INK_GRID);
+    brush_path(s, moved.point, moved.count, INK_GRID);
     for (int i = 0; i < spline.pieces; i++) {
         struct cubic q = cubic_by_matrix(&spline.piece[i]);
-        pen_cubic(s, &q, point >= i && point <= i + 3 ? INK_RED : INK_YELLOW);
+        brush_cubic(s, &q, point >= i && point <= i + 3 ? INK_RED : INK_YELLOW);
     }
     for (int i = 0; i <= spline.pieces; i++)
-        pen_point(s, spline_point(&spline, spline.knot[i]), 7, INK_GREEN);
+        brush_point(s, spline_point(&spline, spline.knot[i]), 7, INK_GREEN);
     moved.chosen = point;
     curves_draw_controls(&moved, s, INK_CYAN);
     pen_words(s, 600, 30, INK_RED, "one point moves: four pieces at most");

@@ -118,7 +118,7 @@ static void draw_loop(struct stage *s, const struct vector3 *loop, int count, bo
         struct vector3 curve[4];
         piece_of(loop, count, i, curve);
         if (!thin) {
-            pen_bezier(s, curve, 4, s->ink);
+            brush_bezier(s, curve, 4, s->ink);
             continue;
         }
         struct vector3 before = curve[0], p;
@@ -156,7 +156,7 @@ static void draw_dolphin(struct stage *s, const struct vector3 *drawing)
     stage_ink(s, INK_BRIGHT);
     draw_loop(s, drawing, OUTLINE, false);
     draw_loop(s, drawing + OUTLINE, FIN, false);
-    pen_point(s, drawing[EYE], 6, INK_BRIGHT);
+    brush_point(s, drawing[EYE], 6, INK_BRIGHT);
 }
 
 /* ---- scene ---- */
@@ -200,7 +200,7 @@ static void draw_waves(struct stage *s, float seconds)
         for (int i = 1; i <= STEPS; i++) {
             float x = (float)i * STAGE_WIDTH / STEPS;
             struct vector3 p = {x, wave_at(x, phase) - down, 0};
-            pen_thin(s, before, p, row == 0 ? INK_CYAN : INK_BLUE);
+            brush_thin(s, before, p, row == 0 ? INK_CYAN : INK_BLUE);
             before = p;
         }
     }
@@ -213,12 +213,12 @@ static void draw_path(const struct inbetween *l, struct stage *s)
     struct vector3 drawing[DRAWING], before = l->key[0][0];
     for (int i = 1; i <= STEPS; i++) {
         frame_at(l, (float)(KEYS - 1) * (float)i / STEPS, drawing);
-        pen_thin(s, before, drawing[0], INK_YELLOW);
+        brush_thin(s, before, drawing[0], INK_YELLOW);
         before = drawing[0];
     }
     for (int i = 0; i <= FRAMES; i++) {
         frame_at(l, key_time(l->timing, KEYS, (float)i / FRAMES), drawing);
-        pen_point(s, drawing[0], 5, INK_YELLOW);
+        brush_point(s, drawing[0], 5, INK_YELLOW);
     }
 }
 

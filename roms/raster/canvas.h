@@ -56,7 +56,13 @@ int canvas_round_dots(const struct canvas *c, int rows);
 int canvas_chord(int rx, int ry, int dy);
 
 /* Characters of FONT_WIDTH by FONT_HEIGHT pixels (font.h), each pixel `sx` by `sy`. The upper left
- * corner of the first is at x, y. The ground is left as it is. */
+ * corner of the first is at x, y. The ground is left as it is.
+ *
+ *      ·██··   a row of a character is a byte, a bit a dot: eight tests, and stores for lit dots
+ *
+ * Cost of a character: dots of 1 by 1 pixel, of 8, 16 or 32 bits: 250 instructions; of 2 by 2: 340.
+ * Smaller pixels, other dots, and characters that the canvas's edge cuts go stretch by stretch of lit
+ * dots, each a rectangle: 800 to 3000. A space, and what lies outside: 5. */
 void canvas_text(const struct canvas *c, int x, int y, int sx, int sy, uint32_t colour,
                  const char *text);
 /* The same about x. */

@@ -1,57 +1,11 @@
 /* Rectangles, whole words at a time. */
 #include "roms/raster/canvas.h"
-#include "roms/raster/fill_run.h"
+#include "roms/raster/fill_row.h"
 #include "roms/raster/pixel.h"
 
 uint32_t canvas_pitch(int width, unsigned bits)
 {
     return ((uint32_t)width * bits + 31) / 32 * 4;
-}
-
-/* The colour as often as a word holds it. */
-static uint32_t repeated(const struct canvas *c, uint32_t colour)
-{
-    colour = canvas_held(c, colour);
-    for (unsigned bits = c->bits; bits < 32; bits *= 2)
-        colour |= colour << bits;
-    return colour;
-}
-
-/* The bits of a byte under `mask`. */
-static void fill_part(uint8_t *at, unsigned mask, uint32_t word)
-{
-    *at = (uint8_t)((*at & ~mask) | (word & mask));
-}
-
-/* Pixels smaller than a byte fill it from its high bits on. */
-static void fill_row_small(const struct canvas *c, uint8_t *row, int x0, int x1, uint32_t word)
-{
-    uint32_t from = (uint32_t)x0 * c->bits, to = (uint32_t)x1 * c->bits;
-    uint8_t *first = row + from / 8, *last = row + to / 8;
-    unsigned head = 0xFFu >> from % 8, tail = 0xFFu & ~(0xFFu >> to % 8);
-    if (first == last) {
-        if (head & tail)
-            fill_part(first, head & tail, word);
-        return;
-    }
-    if (head != 0xFF)
-        fill_part(first++, head, word);
-    fill_run_bytes(first, last, word);
-    if (tail != 0)
-        fill_part(last, tail, word);
-}
-
-/* Pixels x0 to x1 of a row. */
-static void fill_row(const struct canvas *c, uint8_t *row, int x0, int x1, uint32_t word)
-{
-    if (c->bits == 8)
-        fill_run_bytes(row + x0, row + x1, word);
-    else if (c->bits == 32)
-        fill_run_words((uint32_t *)(void *)row + x0, (uint32_t *)(void *)row + x1, word);
-    else if (c->bits == 16)
-        fill_run_halves((uint16_t *)(void *)row + x0, (uint16_t *)(void *)row + x1, word);
-    else
-        fill_row_small(c, row, x0, x1, word);
 }
 
 void canvas_fill(const struct canvas *c, int x, int y, int width, int height, uint32_t colour)
@@ -62,7 +16,7 @@ void canvas_fill(const struct canvas *c, int x, int y, int width, int height, ui
     y = y > 0 ? y : 0;
     if (x >= x1)
         return;
-    uint32_t word = repeated(c, colour);
+    uint32_t word = canvas_repeated(c, colour);
     for (; y < y1; y++)
         fill_row(c, c->pixels + (uint32_t)y * c->pitch, x, x1, word);
 }
@@ -93,5 +47,5 @@ void canvas_dot(const struct canvas *c, int x, int y, uint32_t colour)
     else if (c->bits == 16)
         ((uint16_t *)(void *)row)[x] = (uint16_t)colour;
     else
-        fill_row_small(c, row, x, x + 1, repeated(c, colour));
+        fill_row_small(c, row, x, x + 1, canvas_repeated(c, colour));
 }

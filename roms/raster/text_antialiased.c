@@ -20,8 +20,9 @@ static void sum_dots(struct dots *d, char which)
 {
     for (int i = 0; i < FONT_WIDTH; i++)
         d->above[0][i] = 0;
+    const uint8_t *rows = font_rows(which);
     for (int row = 0; row < FONT_HEIGHT; row++) {
-        unsigned bits = font_row(which, row);
+        unsigned bits = rows[row * FONT_NEXT_ROW];
         for (int i = 0; i < FONT_WIDTH; i++)
             d->above[row + 1][i] = d->above[row][i] + (float)(bits >> (FONT_WIDTH - 1 - i) & 1);
     }

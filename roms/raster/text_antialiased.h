@@ -4,8 +4,8 @@
  *      ▓░▒▓
  *
  * Models:     the font of font.h, each dot a rectangle, seen through a box as wide as a pixel.
- * Cost:       a character of 4 by 7 pixels about 4500 instructions, of 8 by 12 about 7000; when
- *             kept, 250 and 700.
+ * Cost:       a character of 4 by 7 pixels about 4000 instructions, of 8 by 12 about 7000; when
+ *             kept, 400 and 1000.
  * Domain:     cells from 2 by 3 pixels up to 16 times the font's; beyond nothing is drawn.
  * Units:      pixels of the canvas; a pixel's upper left corner is a whole number.
  * Ownership:  the ramp is the caller's.

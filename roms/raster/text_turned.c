@@ -27,8 +27,9 @@ static void rectangle(const struct canvas *c, int x, int y, enum text_direction 
 static void glyph(const struct canvas *c, int x, int y, const struct text_cell *cell, int begin,
                   uint32_t colour, char which)
 {
+    const uint8_t *rows = font_rows(which);
     for (int row = 0; row < FONT_HEIGHT; row++) {
-        unsigned bits = font_row(which, row);
+        unsigned bits = rows[row * FONT_NEXT_ROW];
         int d0 = row * cell->height / FONT_HEIGHT, d1 = (row + 1) * cell->height / FONT_HEIGHT;
         for (int i = 0; i < FONT_WIDTH; i++) {
             int first = i;

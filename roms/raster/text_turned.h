@@ -6,8 +6,8 @@
  *
  * Models:     the font of font.h; each of its dots becomes a rectangle, so that a cell is as wide
  *             and high as is asked for. Dots of uneven size differ by one pixel.
- * Cost:       a stretch of lit dots in a row is one canvas_fill: about 20 a character; 3200
- *             instructions for 8 by 12 pixels, a third of them reading the font.
+ * Cost:       a stretch of lit dots in a row is one canvas_fill: about 10 a character; 2400
+ *             instructions for 8 by 12 pixels.
  * Domain:     cells of 1…TEXT_LARGEST pixels; below 8 by 12 strokes are lost.
  * Units:      pixels; x to the right, y downwards.
  * Ownership:  nothing.

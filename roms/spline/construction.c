@@ -1,6 +1,6 @@
 /* construction.c — how a point of the curve comes about: lines divided again and again. */
 #include "roms/curves/casteljau.h"
-#include "roms/spline/brush.h"
+#include "roms/stage/brush.h"
 #include "roms/spline/view.h"
 
 enum { MARK = 12, STEP = 5, MANY = 10 /* points: their lines are enough */ };

@@ -2,7 +2,7 @@
 
 #include <stdio.h>
 
-#include "roms/spline/brush.h"
+#include "roms/stage/brush.h"
 #include "roms/spline/hull.h"
 
 enum { POINT = 9, CHOSEN = 12, HANDLE = 7 };

@@ -219,6 +219,70 @@ static void help_fits_any_window(void **state)
     vm_hud_destroy(hud);
 }
 
+/* A cross with an open middle, where it was asked for and nowhere else. */
+static void the_beams_mark_leaves_its_place_free(void **state)
+{
+    (void)state;
+    struct vm_hud *hud = new_hud();
+    bool changed;
+    vm_hud_mark(hud, VM_MARK_BEAM, 100.5, 60.5, 7);
+    const uint8_t *rgba = vm_hud_draw(hud, 300, 200, 0, &changed);
+    struct vm_box box = extent(rgba, 300, 200);
+    assert_true(changed && box.x > 80 && box.x + box.w < 121 && box.y > 40 && box.y + box.h < 81);
+    for (int y = 56; y <= 64; y++)
+        for (int x = 96; x <= 104; x++)
+            assert_int_equal(rgba[(y * 300 + x) * 4 + 3], 0);
+    assert_true(rgba[(60 * 300 + 110) * 4 + 3] > 100);
+    vm_hud_draw(hud, 300, 200, 1, &changed);
+    assert_false(changed);
+    vm_hud_mark(hud, VM_MARK_BEAM, 0, 0, 0);
+    assert_null(vm_hud_draw(hud, 300, 200, 2, &changed));
+    assert_true(changed);
+    vm_hud_destroy(hud);
+}
+
+/* At the rim of the window, and far outside. */
+static void marks_are_cut_off_at_the_rim(void **state)
+{
+    (void)state;
+    static const double places[] = {-1e9, -20, -3, 0, 299, 303, 1e9};
+    struct vm_hud *hud = new_hud();
+    bool changed;
+    for (size_t i = 0; i < sizeof places / sizeof *places; i++)
+        for (int which = 0; which < VM_HUD_MARKS; which++) {
+            vm_hud_mark(hud, (enum vm_hud_mark)which, places[i], places[i], 5);
+            vm_hud_draw(hud, 300, 200, 0, &changed);
+        }
+    vm_hud_destroy(hud);
+}
+
+/* In the corner, its samples as they are, with the text beneath; not where there is no room. */
+static void a_picture_lies_in_the_corner(void **state)
+{
+    (void)state;
+    struct crt_image image;
+    struct crt_error err;
+    bool changed;
+    struct vm_hud *hud = new_hud();
+    assert_true(crt_image_init(&image, 120, 50, 8, &err));
+    for (int i = 0; i < 120 * 50 * 3; i++)
+        image.samples[i] = (uint16_t)(i % 251);
+    vm_hud_picture(hud, &image, "60.0 Hz\nsteady");
+    crt_image_free(&image);
+    const uint8_t *rgba = vm_hud_draw(hud, 300, 200, 0, &changed);
+    struct vm_box box = extent(rgba, 300, 200);
+    assert_true(box.x >= 150 && box.y >= 0 && box.y < 20 && box.x + box.w <= 300);
+    assert_true(box.h > 50 + 2 * VM_TALL_DOTS && box.h < 100);
+    for (int y = 0; y < 50; y++)
+        for (int x = 0; x < 120 * 3; x++)
+            assert_int_equal(rgba[((box.y + y) * 300 + box.x + x / 3) * 4 + x % 3],
+                             (y * 360 + x) % 251);
+    assert_null(vm_hud_draw(hud, 100, 200, 0, &changed));
+    vm_hud_picture(hud, NULL, NULL);
+    assert_null(vm_hud_draw(hud, 300, 200, 0, &changed));
+    vm_hud_destroy(hud);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -231,6 +295,9 @@ int main(void)
         cmocka_unit_test(status_lies_at_the_bottom_in_dots_that_suit_the_window),
         cmocka_unit_test(a_message_fades_and_goes),
         cmocka_unit_test(help_fits_any_window),
+        cmocka_unit_test(the_beams_mark_leaves_its_place_free),
+        cmocka_unit_test(marks_are_cut_off_at_the_rim),
+        cmocka_unit_test(a_picture_lies_in_the_corner),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,7 +14,7 @@
 #include "crt/png_file.h"
 #include "emu/command.h"
 #include "emu/expose.h"
-#include "emu/sheet.h"
+#include "emu/contact_sheet.h"
 #include "emu/versus.h"
 
 #define COUNT(a) (sizeof(a) / sizeof *(a))
@@ -121,7 +121,8 @@ static void captions_of(const char *text, char captions[2][VM_VERSUS_CAPTION])
     for (int k = 0; k < 2; k++) {
         if (vm_settings_resolve(&side[k].options, NULL, NULL, &side[k].settings, &err))
             fail_msg("%s", err.text);
-        named[k] = (struct vm_versus_side){&side[k].table, 1, &side[k].settings};
+        named[k] = (struct vm_versus_side){&side[k].table, 1, &side[k].settings, NULL,
+                                           side[k].settings.view};
     }
     vm_versus_captions(&v, named, captions);
     for (int k = 0; k < 2; k++)
@@ -247,15 +248,16 @@ static void small_pictures_keep_the_light(void **state)
     for (int round = 0; round < 12; round++) {
         int width = 300 + (int)(next_random() % 90), height = 5 + (int)(next_random() % 40);
         struct crt_image p, small;
-        struct vm_sheet sheet;
+        struct vm_contact_sheet sheet;
         struct crt_error err;
         assert_true(crt_image_init(&p, width, height, 8, &err));
         for (int i = 0; i < width * height * 3; i++)
             p.samples[i] = (uint16_t)(next_random() % 256);
-        assert_true(vm_sheet_open(&sheet, 9, 9, (struct vm_size){width, height}, false, "x", &err));
+        assert_true(
+            vm_contact_sheet_open(&sheet, 9, 9, (struct vm_size){width, height}, false, "x", &err));
         assert_true(sheet.cell.width < width);
         assert_true(crt_image_init(&small, sheet.cell.width, sheet.cell.height, 8, &err));
-        vm_sheet_reduce(&sheet, &p, &small);
+        vm_contact_sheet_reduce(&sheet, &p, &small);
         for (int i = 0; i < 60; i++) {
             int x = (int)(next_random() % (unsigned)small.width);
             int y = (int)(next_random() % (unsigned)small.height), c = i % 3;
@@ -264,7 +266,7 @@ static void small_pictures_keep_the_light(void **state)
             assert_true(light_of(sample - 0.51) <= mean && mean <= light_of(sample + 0.51));
         }
         assert_true(sheet.image.width <= VM_SHEET_WIDTH);
-        vm_sheet_close(&sheet);
+        vm_contact_sheet_close(&sheet);
         crt_image_free(&small);
         crt_image_free(&p);
     }
@@ -277,13 +279,13 @@ static void sheets_have_places(void **state)
                                       "8x4x2", "-1x3", "8 x4", "9999x9999", "65x64", "8*4"};
     struct vm_size places;
     struct crt_error err;
-    assert_true(vm_sheet_places("8x4", &places, &err));
+    assert_true(vm_contact_sheet_places("8x4", &places, &err));
     assert_int_equal(places.width, 8);
     assert_int_equal(places.height, 4);
-    assert_true(vm_sheet_places("1x1", &places, &err));
-    assert_true(vm_sheet_places("64x64", &places, &err));
+    assert_true(vm_contact_sheet_places("1x1", &places, &err));
+    assert_true(vm_contact_sheet_places("64x64", &places, &err));
     for (size_t i = 0; i < COUNT(bad); i++)
-        assert_false(vm_sheet_places(bad[i], &places, &err));
+        assert_false(vm_contact_sheet_places(bad[i], &places, &err));
 }
 
 /* ---- pictures ----------------------------------------------------------------------------------- */

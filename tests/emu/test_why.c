@@ -357,6 +357,45 @@ static void the_nearest_is_told_in_the_dark(void **state)
     drop(s);
 }
 
+/* ---- lines ---------------------------------------------------------------------------------------- */
+
+struct page {
+    int lines, columns, broken;
+};
+
+static void keep(void *ctx, const char *line)
+{
+    struct page *p = ctx;
+    p->lines++;
+    p->broken += strlen(line) > (size_t)p->columns || strchr(line, '\n') != NULL;
+}
+
+static void lines_fit(void **state)
+{
+    (void)state;
+    struct stand *s = moved(mover, COUNT(mover));
+    struct vm_why lit = ask(s, VM_VECTOR, 300, 700, 110 * MS);
+    struct vm_why dark = ask(s, VM_VECTOR, 900, 100, 110 * MS);
+    snprintf(s->input.name, sizeof s->input.name, "t.df");
+    for (int columns = 40; columns < 130; columns++)
+        for (int most = 0; most < 12; most++)
+            for (int all = 0; all < 2; all++) {
+                struct vm_why_text text = {.names = vm_why_names_of(&s->input, NULL),
+                                           .columns = columns,
+                                           .most = most,
+                                           .all = all};
+                struct page lit_page = {.columns = columns}, dark_page = lit_page;
+                vm_why_lines(&lit, &text, keep, &lit_page);
+                vm_why_lines(&dark, &text, keep, &dark_page);
+                assert_int_equal(lit_page.broken + dark_page.broken, 0);
+                assert_true(lit_page.lines >= 1 && dark_page.lines >= 1);
+                assert_true(most == 0 || (lit_page.lines <= most && dark_page.lines <= most));
+            }
+    vm_why_free(&lit);
+    vm_why_free(&dark);
+    drop(s);
+}
+
 /* ---- the past of a window ------------------------------------------------------------------------- */
 
 struct window {
@@ -492,6 +531,7 @@ int main(void)
         cmocka_unit_test(old_light_names_the_words_of_then),
         cmocka_unit_test(a_pixel_names_the_store_its_line_was_read_after),
         cmocka_unit_test(the_nearest_is_told_in_the_dark),
+        cmocka_unit_test(lines_fit),
         cmocka_unit_test(a_window_tells_what_a_run_tells),
         cmocka_unit_test(what_was_typed_is_typed_again),
     };

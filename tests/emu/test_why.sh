@@ -104,6 +104,11 @@ as_probed "also when it has nearly faded, on P7" "$work/cross.df" 470,513 116 --
     grep -q "from display word [0-7]*" "$work/said" && ! grep -q 'line [0-9]' "$work/said"
 report $? "octal words have no source"
 
+"$KINESCOPE" trace "$work/cross.df" --what beam --for 100ms -o "$work/cross.beam" 2>"$work/said" &&
+    "$KINESCOPE" why "$work/cross.beam" --at 450,512 --time 100ms >"$work/said" 2>&1 &&
+    grep -q "all of it from word [0-7]* of the recording" "$work/said"
+report $? "a recording has the words' addresses"
+
 # ---- firmware ----
 
 pixel=tests/roms/pixel
@@ -126,6 +131,13 @@ report $? "a trace has that store at that time"
 as_probed "the light of a pixel is what the probe sees" $pixel.elf 320,240 84
 "$KINESCOPE" why $pixel.elf --at 10,10 --time 80ms >"$work/said" 2>&1
 says "who left a pixel black" 'is dark at .*passed there .* scan line 10, dot 10, byte 00280a of the buffer, to which nobody'
+answers "long after a line of a quick phosphor" roms/interlace.elf --at 320,200
+says "what was there, and what it comes to" 'is dark at .* It was lit [0-9.]* ms ago and has faded since: .* a mean of [0-9.]* cd/m2'
+"$KINESCOPE" capture "$work/cross.df" --at 100ms --hash --save-state "$work/state" >"$work/said" 2>&1 &&
+    "$KINESCOPE" why "$work/cross.df" --load-state "$work/state" --at 500,512 --time 130ms >"$work/said" 2>&1
+report $? "from a saved state"
+says "what is older is told apart" '[0-9.]* % from more than 30.00 ms ago, before what is remembered'
+as_probed "and sums with the rest" "$work/cross.df" 500,512 130 --load-state "$work/state"
 "$KINESCOPE" why roms/clock.elf --at 512,700 --time 300ms >"$work/said" 2>&1
 says "a word that firmware wrote" 'from display word [0-7]* (.*stored by put+0x'
 
@@ -136,6 +148,7 @@ refuses 2 "half a place" "'12' is not X,Y" "$work/cross.df" --at 12
 refuses 2 "a place that is no number" "is not a number\|--at:" "$work/cross.df" --at 12,up
 refuses 2 "no time at all" "above zero" "$work/cross.df" --at 1,1 --time 0s
 refuses 2 "a raster head without firmware" "has no firmware" "$work/cross.df" --at 1,1 --view raster
+refuses 2 "a time before the saved state" "begins at 100.0 ms" "$work/cross.df" --load-state "$work/state" --at 1,1 --time 50ms
 refuses 1 "no such file" "cannot be opened" "$work/none.df" --at 1,1
 refuses 1 "symbols of what has none" "is for firmware" "$work/cross.df" --at 1,1 --symbols $pixel.elf
 refuses 1 "symbols that are none" "part.inc" $pixel.elf --at 1,1 --symbols "$work/parts/part.inc"

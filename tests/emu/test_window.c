@@ -100,7 +100,7 @@ static struct vm_window *open_window(void)
         print_message("# SKIP Xvfb cannot be started\n");
         skip();
     }
-    struct vm_window *window = vm_window_open(WIDTH, HEIGHT, "test", &err);
+    struct vm_window *window = vm_window_open(WIDTH, HEIGHT, 1, "test", &err);
     if (!window)
         fail_msg("%s", err.text);
     return window;
@@ -278,7 +278,7 @@ static void without_a_display_says_what_to_use(void **state)
     snprintf(kept, sizeof kept, "%s", display ? display : "");
     unsetenv("DISPLAY");
     unsetenv("WAYLAND_DISPLAY");
-    assert_null(vm_window_open(WIDTH, HEIGHT, "test", &err));
+    assert_null(vm_window_open(WIDTH, HEIGHT, 1, "test", &err));
     assert_non_null(strstr(err.text, "kinescope capture FILE -o OUT.png"));
     assert_non_null(strstr(err.text, "xvfb-run"));
     if (display)

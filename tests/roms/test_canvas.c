@@ -188,22 +188,114 @@ static void circles_are_round_on_the_glass(void **state)
     }
 }
 
+/* A capital as the eye sees it, so that the font's drawing is read the right way round. */
+static void the_font_is_as_it_is_drawn(void **state)
+{
+    (void)state;
+    static const char *const drawn[FONT_HEIGHT] = {
+        "........", "######..", "##...##.", "##...##.", "##...##.", "######..",
+        "####....", "##.##...", "##..##..", "##...##.", "........", "........",
+    };
+    for (int row = 0; row < FONT_HEIGHT; row++) {
+        char seen[FONT_WIDTH + 1] = {0};
+        for (int i = 0; i < FONT_WIDTH; i++)
+            seen[i] = font_row('R', row) & 0x80 >> i ? '#' : '.';
+        assert_string_equal(seen, drawn[row]);
+    }
+}
+
+/* Is pixel (x, y) in a lit dot of the text that begins at (left, top)? */
+static bool text_covers(int x, int y, int left, int top, int sx, int sy, const char *text)
+{
+    if (x < left || y < top || sx < 1 || sy < 1)
+        return false;
+    int column = (x - left) / sx, row = (y - top) / sy;
+    if (row >= FONT_HEIGHT || column >= (int)strlen(text) * FONT_WIDTH)
+        return false;
+    return font_row(text[column / FONT_WIDTH], row) & 0x80 >> column % FONT_WIDTH;
+}
+
+static void random_ground(const struct canvas *c, uint32_t model[HEIGHT][WIDTH])
+{
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            canvas_dot(c, x, y, random_below(0x1000000) * 257u);
+            model[y][x] = pixel(c, x, y);
+        }
+}
+
+/* Any string at any place, also across an edge, at any scale, on any ground, in every format: the
+ * pixels of lit dots have the colour, all others what they had. */
+static void check_text(unsigned bits, int left, int top, int sx, int sy, const char *text)
+{
+    static uint32_t model[HEIGHT][WIDTH];
+    struct canvas c = canvas_of(bits);
+    uint32_t colour = random_below(0x1000000) * 257u;
+    random_ground(&c, model);
+    if (random_below(2))
+        canvas_text(&c, left, top, sx, sy, colour, text);
+    else
+        canvas_text_middle(&c, left + (int)strlen(text) * FONT_WIDTH * sx / 2, top, sx, sy, colour,
+                           text);
+    if (bits < 32)
+        colour &= (1u << bits) - 1;
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            bool lit = text_covers(x, y, left, top, sx, sy, text);
+            if (pixel(&c, x, y) != (lit ? colour : model[y][x]))
+                fail_msg("%u bits, \"%s\" at %d, %d, scale %d, %d: pixel %d, %d", bits, text, left,
+                         top, sx, sy, x, y);
+        }
+    assert_contained(&c);
+}
+
 static void text_is_the_font(void **state)
 {
     (void)state;
-    for (int code = 32; code < 127; code++) {
-        struct canvas c = canvas_of(1);
-        int sx = 1 + code % 3, sy = 1 + code % 2;
-        const char text[2] = {(char)code, '\0'};
-        canvas_text(&c, 5, 3, sx, sy, 1, text);
-        for (int y = 0; y < HEIGHT; y++)
-            for (int x = 0; x < WIDTH; x++) {
-                int column = (x - 5) / sx, row = (y - 3) / sy;
-                bool in = x >= 5 && y >= 3 && column < FONT_WIDTH && row < FONT_HEIGHT;
-                bool lit = in && (font_row((char)code, row) & 0x80 >> column);
-                assert_int_equal(pixel(&c, x, y), lit);
+    for (size_t f = 0; f < sizeof formats / sizeof *formats; f++)
+        for (int i = 0; i < 300; i++) {
+            char text[8] = {0};
+            int length = (int)random_below(sizeof text);
+            for (int k = 0; k < length; k++)
+                text[k] = (char)(random_below(4) ? 32 + random_below(96) : 1 + random_below(255));
+            int sx = 1 + (int)random_below(i % 3 == 0 ? 6 : 2);
+            int sy = i % 3 == 1 ? 1 + (int)random_below(4) : sx;
+            int room_x = FONT_WIDTH * sx * length, room_y = FONT_HEIGHT * sy;
+            int left = (int)random_below((uint32_t)(WIDTH + room_x + 4)) - room_x - 2;
+            int top = (int)random_below((uint32_t)(HEIGHT + room_y + 4)) - room_y - 2;
+            check_text(formats[f], left, top, sx, sy, text);
+        }
+}
+
+/* Characters that just fit, go a pixel beyond an edge, or have one column or row left; '_' and '%'
+ * are lit in the last of them. */
+static void characters_at_the_edges_are_cut(void **state)
+{
+    (void)state;
+    for (size_t f = 0; f < sizeof formats / sizeof *formats; f++)
+        for (int scale = 1; scale <= 3; scale++)
+            for (const char *which = "_%RgW"; *which != '\0'; which++) {
+                const char text[2] = {*which, '\0'};
+                int wide = FONT_WIDTH * scale, high = FONT_HEIGHT * scale;
+                int left[] = {-wide,        1 - wide,         -1,        0,
+                              WIDTH - wide, WIDTH - wide + 1, WIDTH - 1, WIDTH};
+                int top[] = {-high,         1 - high,          -1,         0,
+                             HEIGHT - high, HEIGHT - high + 1, HEIGHT - 1, HEIGHT};
+                for (int k = 0; k < 64; k++)
+                    check_text(formats[f], left[k % 8], top[k / 8], scale, scale, text);
             }
-    }
+}
+
+static void text_far_away_or_of_no_size_is_nothing(void **state)
+{
+    (void)state;
+    static const int place[][4] = {
+        {-100000, 5, 1, 1}, {100000, 5, 1, 1}, {5, -100000, 1, 1}, {5, 100000, 2, 2},
+        {5, 5, 0, 1},       {5, 5, 1, 0},      {5, 5, -1, -1},     {70, 35, -2, 2},
+    };
+    for (size_t f = 0; f < sizeof formats / sizeof *formats; f++)
+        for (size_t i = 0; i < sizeof place / sizeof *place; i++)
+            check_text(formats[f], place[i][0], place[i][1], place[i][2], place[i][3], "Text");
 }
 
 /* Something of every character but the space; all different; a box for what there is none for; a
@@ -259,7 +351,10 @@ int main(void)
         cmocka_unit_test(lines_beyond_the_edges_are_cut),
         cmocka_unit_test(ellipses_are_the_edge_of_discs),
         cmocka_unit_test(circles_are_round_on_the_glass),
+        cmocka_unit_test(the_font_is_as_it_is_drawn),
         cmocka_unit_test(text_is_the_font),
+        cmocka_unit_test(characters_at_the_edges_are_cut),
+        cmocka_unit_test(text_far_away_or_of_no_size_is_nothing),
         cmocka_unit_test(characters_are_distinct),
         cmocka_unit_test(an_empty_canvas_keeps_nothing),
     };

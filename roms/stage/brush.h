@@ -6,15 +6,17 @@
  * Ownership:  nothing.
  * Errors:     none.
  */
-#ifndef ROMS_SPLINE_BRUSH_H
-#define ROMS_SPLINE_BRUSH_H
+#ifndef ROMS_STAGE_BRUSH_H
+#define ROMS_STAGE_BRUSH_H
 
+#include "roms/curves/cubic_kind.h"
 #include "roms/stage/stage.h"
 
 void brush_thin(struct stage *s, struct vector3 a, struct vector3 b, enum ink ink);
 void brush_line(struct stage *s, struct vector3 a, struct vector3 b, enum ink ink);
 void brush_path(struct stage *s, const struct vector3 *points, int count, enum ink ink);
 /* Wide, adaptive. */
+void brush_cubic(struct stage *s, const struct cubic *cubic, enum ink ink);
 void brush_bezier(struct stage *s, const struct vector3 *points, int count, enum ink ink);
 void brush_point(struct stage *s, struct vector3 at, float radius, enum ink ink);
 /* The outline of a square, as handles are shown. */

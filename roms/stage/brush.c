@@ -1,4 +1,4 @@
-#include "roms/spline/brush.h"
+#include "roms/stage/brush.h"
 
 #include "roms/curves/bezier_run.h"
 
@@ -44,6 +44,17 @@ void brush_bezier(struct stage *s, const struct vector3 *points, int count, enum
     bezier_run_begin(&run, points, count, TOLERANCE);
     bezier_run_next(&run, &p);
     for (struct vector3 before = p; bezier_run_next(&run, &p); before = p)
+        wide(s, before, p);
+}
+
+void brush_cubic(struct stage *s, const struct cubic *q, enum ink ink)
+{
+    struct cubic_run run;
+    struct vector3 p;
+    stage_ink(s, ink);
+    cubic_run_begin(&run, q, cubic_steps(q, TOLERANCE));
+    cubic_run_next(&run, &p);
+    for (struct vector3 before = p; cubic_run_next(&run, &p); before = p)
         wide(s, before, p);
 }
 
