@@ -41,6 +41,7 @@ void vm_hud_destroy(struct vm_hud *hud)
         return;
     forget_help(hud);
     free(hud->picture);
+    free(hud->slide.picture);
     vm_canvas_free(&hud->canvas);
     free(hud);
 }
@@ -311,7 +312,8 @@ static void redraw(struct vm_hud *hud)
         vm_canvas_fill(&hud->canvas, hud->drawn[i], clear);
         hud->drawn[i] = (struct vm_box){0, 0, 0, 0};
     }
-    int bottom = hud->canvas.height;
+    vm_hud_draw_slide(hud);
+    int bottom = hud->canvas.height - (hud->slide.whole ? 0 : hud->drawn[VM_PANEL_SLIDE].h);
     vm_hud_draw_marks(hud);
     for (int i = 0; i < 2; i++)
         draw_side(hud, i);

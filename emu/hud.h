@@ -71,6 +71,17 @@ void vm_hud_picture(struct vm_hud *hud, const struct crt_image *image, const cha
 void vm_hud_sides(struct vm_hud *hud, const char *left, const char *right);
 int vm_hud_strip(int width, int height);
 
+/* A caption in large letters at the bottom, the window's width, under a title and a hint (what keys do); or
+ * `whole`: in place of all that is behind, with a picture of 8 bits above the caption, or the text alone. Texts are
+ * UTF-8 and copied, as the picture is. NULL: none. And how high it is: nothing else is to be drawn there. */
+struct vm_hud_slide {
+    const char *title, *hint, *text;
+    bool whole, large; /* larger letters still */
+    const struct crt_image *picture;
+};
+void vm_hud_slide(struct vm_hud *hud, const struct vm_hud_slide *slide);
+int vm_hud_slide_height(const struct vm_hud *hud, int width, int height);
+
 /* The colour of the text, 0…255 sRGB: the tube's phosphor. Mixed with white until it is legible. */
 void vm_hud_tint(struct vm_hud *hud, int red, int green, int blue);
 

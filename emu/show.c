@@ -200,7 +200,7 @@ static void loop(struct vm_show *show)
     while (!show->quit) {
         int width, height;
         vm_window_size(show->window, &width, &height);
-        if (show->paused || width <= 0)
+        if (show->paused || show->covered || width <= 0)
             vm_window_wait(show->window, IDLE_S);
         else
             vm_window_poll(show->window);
@@ -208,6 +208,11 @@ static void loop(struct vm_show *show)
             vm_show_event(show, &event);
         vm_show_hand_flush(show);
         double now = vm_window_time();
+        if (show->covered) {
+            show->last_time = now;
+            vm_show_draw(show, now);
+            continue;
+        }
         look_after_program(show, now);
         double before = show->last_time;
         run_frame(show, now);
@@ -227,10 +232,11 @@ static void loop(struct vm_show *show)
 static bool open_all(struct vm_show *show, struct crt_error *err)
 {
     const struct vm_show_desc *d = show->desc;
-    show->window = vm_window_open(d->size.width, d->size.height, show->sides, "kinescope", err);
+    int sides = vm_show_most_sides(d);
+    show->window = vm_window_open(d->size.width, d->size.height, sides, "kinescope", err);
     if (!show->window)
         return false;
-    for (int i = 0; i < show->sides * VM_HEADS; i++) {
+    for (int i = 0; i < sides * VM_HEADS; i++) {
         struct crt_glass **glass = &show->glass[i / VM_HEADS][i % VM_HEADS];
         *glass = crt_glass_create(vm_window_loader(show->window), err);
         if (!*glass)
@@ -252,7 +258,7 @@ static void close_all(struct vm_show *show)
         vm_show_close(show->side[i]);
     if (show->hud)
         vm_hud_destroy(show->hud);
-    for (int i = 0; i < show->sides * VM_HEADS; i++)
+    for (int i = 0; i < VM_SIDES * VM_HEADS; i++)
         if (show->glass[i / VM_HEADS][i % VM_HEADS])
             crt_glass_destroy(show->glass[i / VM_HEADS][i % VM_HEADS]);
     if (show->window)
@@ -287,13 +293,16 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
         show->shutter = desc->shutter;
         show->no_flash = desc->no_flash;
         show->rom = -1;
+        show->begins = true;
         show->unit = VM_UNIT_REFRESH;
         show->touring = desc->path == NULL;
         ok = show->touring ? vm_roms_find(&show->roms, desc->roms, err) : check_program(desc, err);
     }
     ok = ok && open_all(show, err);
     if (ok)
-        ok = show->touring ? vm_show_tour(show, 1, err) : vm_show_open(show, desc->path, NULL, err);
+        ok = desc->lesson    ? vm_show_page(show, 0, err)
+             : show->touring ? vm_show_tour(show, 1, err)
+                             : vm_show_open(show, desc->path, NULL, err);
     if (ok) {
         vm_show_welcome(show);
         show->recording = desc->record != NULL;

@@ -3,36 +3,13 @@
 #include <string.h>
 
 #include "emu/lab/why_text.h"
+#include "emu/plain.h"
 #include "emu/show.h"
 
 #define COLUMNS 56
 #define LINES   24
 #define MARK    6.0  /* pixels */
 #define LEAST   0.01 /* smaller shares are summed up */
-
-/* The hud has ASCII letters only. */
-static const struct {
-    const char *from, *to;
-} plain[] = {{"²", "2"}, {"µ", "u"}, {"×", "x"},   {"°", " deg"}, {"·", "-"},
-             {"–", "-"}, {"−", "-"}, {"…", "..."}, {"≥", ">="},   {"≤", "<="}};
-
-static void put_plain(const char *text, char *out, size_t size)
-{
-    size_t n = 0;
-    while (*text && n + 5 < size) {
-        size_t i = 0, count = sizeof plain / sizeof *plain;
-        while (i < count && strncmp(text, plain[i].from, strlen(plain[i].from)) != 0)
-            i++;
-        if (i == count) {
-            out[n++] = *text++;
-            continue;
-        }
-        memcpy(out + n, plain[i].to, strlen(plain[i].to));
-        n += strlen(plain[i].to);
-        text += strlen(plain[i].from);
-    }
-    out[n] = '\0';
-}
 
 struct lines {
     char *line[LINES];
@@ -45,7 +22,7 @@ static void keep(void *ctx, const char *line)
     char text[200];
     if (l->count == LINES)
         return;
-    put_plain(line, text, sizeof text);
+    vm_plain(line, text, sizeof text);
     l->line[l->count] = strdup(text);
     l->count += l->line[l->count] != NULL;
 }
