@@ -314,8 +314,9 @@ static void redraw(struct vm_hud *hud)
     }
     vm_hud_draw_slide(hud);
     int bottom = hud->canvas.height - (hud->slide.whole ? 0 : hud->drawn[VM_PANEL_SLIDE].h);
-    vm_hud_draw_marks(hud);
-    for (int i = 0; i < 2; i++)
+    if (!hud->slide.whole)
+        vm_hud_draw_marks(hud);
+    for (int i = 0; i < 2 && !hud->slide.whole; i++)
         draw_side(hud, i);
     if (hud->status[0])
         bottom = draw_text_panel(hud, VM_PANEL_STATUS, hud->status, bottom, VM_HUD_LEVELS);

@@ -4,7 +4,7 @@
 
 #include "emu/show.h"
 
-#define KEYS "Right Ctrl N next, P previous, T text, F1 help"
+#define KEYS "Right Ctrl N P: pages, T: caption"
 
 static const struct vm_show_page *page_of(const struct vm_show *show)
 {
@@ -87,10 +87,10 @@ static void cover(struct vm_show *show)
     show->warning = page->flashes && !page->still && !show->no_flash && !show->warning_known;
     show->warning_known |= show->warning;
     show->covered = show->warning || page->still;
-    if (show->covered) {
+    show->warned |= page->flashes && show->warning_known; /* once is enough */
+    vm_hud_message(show->hud, NULL, 0, 0);                /* of the page before */
+    if (show->covered)
         vm_hud_status(show->hud, NULL);
-        vm_hud_message(show->hud, NULL, 0, 0);
-    }
     show_slide(show);
 }
 
@@ -143,6 +143,7 @@ bool vm_show_turn_page(struct vm_show *show, int step)
 static void go_on(struct vm_show *show, bool calm)
 {
     show->no_flash |= calm;
+    show->status_since = 0;
     show->warning = show->covered = false;
     show_slide(show);
 }
