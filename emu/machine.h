@@ -192,6 +192,9 @@ void vm_machine_turn(struct vm_machine *m, enum inp_screen screen, struct crt_kn
 /* Head units to tube millimetres: the vector head's units, or the raster head's dots from the top left. */
 void vm_machine_place(const struct vm_machine *m, enum inp_screen head, double x, double y,
                       double *x_mm, double *y_mm);
+/* The other way. */
+void vm_machine_units(const struct vm_machine *m, enum inp_screen head, double x_mm, double y_mm,
+                      double *x, double *y);
 
 /* A copy that goes on alone, without tubes and console: for looking ahead. `copy` need not be
  * initialised; vm_machine_forget frees its board and refresh buffer. False: out of memory. */
