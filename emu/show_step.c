@@ -1,4 +1,4 @@
-/* show_step.c — stepping by an instruction, a display word or a refresh, in both directions. */
+/* show_step.c — stepping in both directions: by a refresh, a display word, an instruction, a stroke, a scan line. */
 #include <stdio.h>
 
 #include "emu/cpu/rv_disasm.h"
@@ -176,12 +176,19 @@ static void say_place(struct vm_show *show)
     vm_show_say(show, text);
 }
 
+static bool remembered(const struct vm_show *show)
+{
+    bool all = true;
+    for (int i = 0; i < show->sides; i++)
+        all &= show->side[i]->history != NULL;
+    return all;
+}
+
 void vm_show_look_again(struct vm_show *show)
 {
-    struct vm_shown *p = show->program;
-    const struct place place = place_of(p);
+    const struct place place = place_of(show->program);
     struct crt_error err;
-    if (show->paused && p->history && !expose(show, &place, &err))
+    if (show->paused && remembered(show) && !expose(show, &place, &err))
         vm_show_say(show, err.text);
 }
 
@@ -191,7 +198,7 @@ void vm_show_step(struct vm_show *show, int direction)
     struct crt_error err;
     show->paused = true;
     show->speed_since = 0;
-    if (!p->history) {
+    if (!remembered(show)) {
         vm_show_say(show, p->input.is_recording ? "a recording has nothing to step by"
                                                 : "there is no memory to remember the run");
         return;
