@@ -23,7 +23,7 @@
  *             is done; its registers show what the word leads to from its fetch on.
  * Refresh:    emu/refresh.h. Refreshes are counted from 1 as they end. Of a program that uses the
  *             raster head and has never started the display processor, a refresh is a frame.
- * Ownership:  the caller owns the struct (290 KiB: not for small stacks); board, console, tubes and
+ * Ownership:  the caller owns the struct (303 KiB: not for small stacks); board, console, tubes and
  *             what the desc points at must outlive it. Allocates nothing.
  * Errors:     vm_machine_load: one sentence. Guest trouble is a state of the display processor or
  *             the processor (emu/trouble.h puts it into words).
