@@ -79,15 +79,12 @@ static bool forward(struct vm_show *show, struct crt_error *err)
 /* The oscilloscope sees the refreshes. */
 static void run_watched(struct vm_show *show, struct vm_shown *p, uint64_t until)
 {
+    struct vm_scope *scope = &show->scope;
     struct vm_machine *m = p->rig.machine;
-    if (!show->scope.placed || show->side[show->scope.side] != p) {
+    if (scope->probe.diode && show->side[scope->side] == p)
+        vm_probe_run(&scope->probe, m, until);
+    else
         vm_machine_run(m, until > m->now ? until : m->now);
-        return;
-    }
-    while (m->now < until && vm_machine_run_refresh(m, until))
-        vm_show_scope_watch(show);
-    if (m->now < until)
-        vm_machine_run(m, until);
 }
 
 /* Goes to `place`, which is past or present, once more, with the light of the shutter's time, or
