@@ -184,6 +184,9 @@ pictures: all
 	./kinescope capture roms/digitise.elf --input roms/digitise.script --at 11s --view raster --size 800x600 -o roms/pictures/digitise.png
 	./kinescope capture roms/track.elf --input roms/track.script --at 7.5s --view vector --size 640x640 -o roms/pictures/track.png
 	./kinescope capture roms/calibrate.elf --input roms/calibrate.script --when mark:100 --size 800x600 -o roms/pictures/calibrate.png
+	./kinescope probe roms/rose.df --at 512,690 --size 960x540 -o roms/pictures/waveform.png >/dev/null
+	./kinescope sweep --field 30 --phosphors P1,P4,P7,P22,P31,P33,P39,P43,P46 -o roms/pictures/flicker.png >/dev/null
+	./kinescope capture roms/lander.df --phosphor P31 --step stroke --count 400 --gain peakx4 --sheet 6x3 --size 260x260 -o roms/pictures/sheet.png
 
 # Every lesson on both heads, into o/lessons/.
 lesson-pictures: all

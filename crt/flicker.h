@@ -69,8 +69,9 @@ enum crt_ieee1789 { CRT_IEEE_NO_EFFECT, CRT_IEEE_LOW_RISK, CRT_IEEE_ABOVE };
 enum crt_ieee1789 crt_ieee1789(double hz, double percent_flicker);
 const char *crt_ieee1789_name(enum crt_ieee1789 c);
 
-/* Stroboscopic visibility measure of harmonics c[0 … count-1] at hz, 2·hz …; NaN where the fundamental is outside
+/* Stroboscopic visibility measure of harmonics c[0 … count-1] at hz, 2·hz …, of which all up to 2 kHz count; NaN where the fundamental is outside
  * 80 Hz … 2 kHz, where it says nothing. */
+#define CRT_SVM_HARMONICS 25 /* as many as 80 Hz has up to 2 kHz */
 double crt_svm(double hz, const double *c, int count);
 
 #endif

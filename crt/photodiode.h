@@ -16,6 +16,8 @@
  * Time:       picoseconds. Luminance can be asked for from `from`, when it was opened or what came before was
  *             forgotten, to the `now` of the tube's last advance.
  * Units:      mm of the screen, cd/m², fluence cd·s/m²; per phosphor colour, as crt_tube_probe().
+ * Threads:    reading moves what the diode keeps: one thread at a time for a diode, and none while its tube is
+ *             advanced. What is read does not depend on what was read before.
  * Ownership:  crt_photodiode_open allocates and joins the tube's list, crt_photodiode_close leaves it and
  *             frees; close it before the tube is destroyed. Loading a snapshot into the tube restarts the
  *             diode there: its deposits are gone.
@@ -72,7 +74,7 @@ const struct crt_deposit *crt_photodiode_deposits(const struct crt_photodiode *d
                                                   size_t *count);
 /* What deposit i gives of the luminance at t, cd/m², all colours; and what light from before `from` gives.
  * The sum over all deposits begun before t, and of the latter, is crt_photodiode_luminance to rounding. */
-double crt_photodiode_share(const struct crt_photodiode *diode, size_t i, uint64_t t);
+double crt_photodiode_share(struct crt_photodiode *diode, size_t i, uint64_t t);
 double crt_photodiode_older(const struct crt_photodiode *diode, uint64_t t);
 
 /* Forgets deposits that were done before t: their light goes on as stored light; `from` becomes t. Nothing read from

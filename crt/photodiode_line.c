@@ -41,7 +41,8 @@ int crt_cut_ends(double dot_s, double amplifier_s, double ends[CRT_CUT_ENDS])
 
 /* ---- the cut ----------------------------------------------------------------------------------- */
 
-/* How far from the place beams may be sent and still reach it. */
+/* How far from the place beams may be sent and still reach it. Spread and convergence errors are those at the place:
+ * within the reach of a spot they change by less than a twentieth and a half (tubes of the table; estimate). */
 static double reach_of(const struct crt_aperture *a, const struct crt_line_beams *beams,
                        const struct crt_knobs *knobs)
 {

@@ -130,12 +130,11 @@ double crt_photodiode_luminance(struct crt_photodiode *d, uint64_t t)
 
 /* ---- shares -------------------------------------------------------------------------------------- */
 
-double crt_photodiode_share(const struct crt_photodiode *d, size_t i, uint64_t t)
+double crt_photodiode_share(struct crt_photodiode *d, size_t i, uint64_t t)
 {
     double term[CRT_MAX_TERMS] = {0};
     assert(i < d->shown - d->first && t >= d->from);
-    /* Only what is kept of the piece's flux may change. */
-    crt_diode_piece_at((struct crt_photodiode *)d, d->first + i, t, term);
+    crt_diode_piece_at(d, d->first + i, t, term);
     return sum_of(d, term);
 }
 

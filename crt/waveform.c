@@ -186,12 +186,13 @@ static double persistence_10(const struct measuring *m)
     return (a + b) / 2;
 }
 
-static void harmonics(struct measuring *m, double hz, struct crt_waveform_figures *figures)
+void crt_waveform_harmonics(struct crt_photodiode *diode, uint64_t t0, uint64_t t1, double hz,
+                            double mean_cd_m2, double *c, int count)
 {
-    double total = m->mean * crt_seconds(m->t0, m->t1);
-    for (int n = 0; n < CRT_HARMONICS; n++) {
-        struct crt_phasor p = crt_photodiode_harmonic(m->diode, m->t0, m->t1, hz * (n + 1));
-        figures->c[n] = 2 * sqrt(p.re * p.re + p.im * p.im) / total;
+    double total = mean_cd_m2 * crt_seconds(t0, t1);
+    for (int n = 0; n < count; n++) {
+        struct crt_phasor p = crt_photodiode_harmonic(diode, t0, t1, hz * (n + 1));
+        c[n] = 2 * sqrt(p.re * p.re + p.im * p.im) / total;
     }
 }
 
@@ -227,5 +228,5 @@ void crt_waveform_measure(struct crt_photodiode *diode, uint64_t t0, uint64_t t1
     figures->percent_flicker = 100 * (m.peak - m.least) / (m.peak + m.least);
     figures->flicker_index = m.above / (m.mean * crt_seconds(t0, t1));
     figures->persistence_10_s = persistence_10(&m);
-    harmonics(&m, hz, figures);
+    crt_waveform_harmonics(diode, t0, t1, hz, m.mean, figures->c, CRT_HARMONICS);
 }

@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crt/png_file.h"
-#include "emu/lab/probe.h"
 #include "emu/out_file.h"
 #include "emu/show.h"
 
@@ -361,7 +359,7 @@ static bool save_plot(struct vm_show *show, const char *path, struct crt_error *
     const struct vm_probe_look as = {.title = title, .style = VM_PLOT_PAPER};
     if (!vm_probe_plot(&s->probe, s->report.t0, s->report.t1, &s->report, &as, &image, err))
         return false;
-    bool ok = crt_png_write(path, &image, NULL, 0, err);
+    bool ok = vm_plot_write(path, &image, title, err);
     crt_image_free(&image);
     return ok;
 }

@@ -1,7 +1,6 @@
 /* show_why.c — Right Ctrl with a click: what put the light there, as a panel over the picture at rest. */
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "emu/lab/why_text.h"
 #include "emu/show.h"

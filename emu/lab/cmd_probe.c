@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crt/png_file.h"
 #include "emu/command.h"
 #include "emu/lab/probe_parts.h"
 #include "emu/out_file.h"
@@ -95,7 +94,12 @@ static bool read_along(struct vm_probe_job *job, struct crt_error *err)
     if (o->field || o->pupil > 0 || o->luminance > 0 || o->rate > 0)
         return crt_fail(err, "--along is of mean light; leave out --field, --pupil, --luminance "
                              "and --rate");
-    return read_place("--along", o->along, &job->along[0], &job->along[1], err);
+    double x, y;
+    if (!read_place("--at", o->place, &x, &y, err) ||
+        !read_place("--along", o->along, &job->along[0], &job->along[1], err))
+        return false;
+    return x != job->along[0] || y != job->along[1] ||
+           crt_fail(err, "--at and --along are the same place; give two");
 }
 
 static bool read_signals(struct vm_probe_job *job, struct crt_error *err)
@@ -218,8 +222,7 @@ static bool write_plot(struct vm_probe_job *job, struct vm_probe *probe,
                                  job->o.projector ? VM_PLOT_PROJECTOR : VM_PLOT_PAPER, job->o.log};
     if (!vm_probe_plot(probe, job->from, job->to, report, &look, &image, err))
         return false;
-    const struct crt_png_text texts[] = {{"Title", title}};
-    bool ok = crt_png_write(job->o.out, &image, texts, 1, err);
+    bool ok = vm_plot_write(job->o.out, &image, title, err);
     crt_image_free(&image);
     return ok;
 }
@@ -234,9 +237,9 @@ static bool write_csv(struct vm_probe_job *job, struct vm_probe *probe, struct c
     return ok;
 }
 
-static bool goes_to_stdout(const char *path)
+bool vm_probe_to_stdout(const struct vm_probe_options *o)
 {
-    return path && strcmp(path, "-") == 0;
+    return (o->csv && strcmp(o->csv, "-") == 0) || (o->out && strcmp(o->out, "-") == 0);
 }
 
 static bool write_all(struct vm_probe_job *job, struct vm_probe *probe,
@@ -256,7 +259,7 @@ static bool write_all(struct vm_probe_job *job, struct vm_probe *probe,
     if ((job->o.csv && !write_csv(job, probe, err)) ||
         (job->o.out && !write_plot(job, probe, report, err)))
         return false;
-    if (!goes_to_stdout(job->o.csv) && !goes_to_stdout(job->o.out))
+    if (!vm_probe_to_stdout(&job->o))
         vm_probe_json(stdout, job->input.name, probe, report);
     return true;
 }
@@ -265,12 +268,8 @@ static bool measure(struct vm_probe_job *job, struct vm_rig *rig, struct crt_err
 {
     struct vm_probe probe = {0};
     struct vm_probe_report report;
-    vm_progress_begin(&job->progress);
-    wait_for_diode(job, rig->machine);
-    if (!vm_probe_open(&probe, rig, &job->place, err)) {
-        vm_progress_end(&job->progress);
+    if (!vm_probe_open(&probe, rig, &job->place, err))
         return false;
-    }
     for (int f = 0; job->o.field && f < CRT_FIELDS; f++)
         if ((int)crt_fields_deg[f] == atoi(job->o.field))
             probe.viewer.field = f;
@@ -294,9 +293,14 @@ static bool see_light(struct vm_probe_job *job, struct crt_error *err)
     struct vm_tubes tubes = tubes_for(job);
     if (!vm_rig_open(&rig, &job->settings, &job->input, DF_TIMING_VALUE, &tubes, err))
         return false;
-    bool ok = vm_saved_load(&job->o.saved, &rig, &job->settings, &job->input, err) &&
-              (job->o.along ? vm_probe_measure_along : measure)(job, &rig, err) &&
-              vm_saved_save(&job->o.saved, &rig, &job->settings, &job->input, err);
+    bool ok = vm_saved_load(&job->o.saved, &rig, &job->settings, &job->input, err);
+    if (ok) {
+        vm_progress_begin(&job->progress);
+        wait_for_diode(job, rig.machine);
+        ok = (job->o.along ? vm_probe_measure_along : measure)(job, &rig, err);
+        vm_progress_end(&job->progress);
+    }
+    ok = ok && vm_saved_save(&job->o.saved, &rig, &job->settings, &job->input, err);
     vm_rig_close(&rig);
     return ok;
 }

@@ -188,7 +188,18 @@ static struct crt_glow glow_of(const struct crt_phosphor *phosphor, const double
     return glow;
 }
 
-static void predict(const struct vm_probe *p, const double *colour, struct vm_probe_report *r)
+/* Of all harmonics that it counts, which may be more than are shown. */
+static double svm(struct vm_probe *p, const struct vm_probe_report *r)
+{
+    const struct crt_waveform_figures *f = &r->figures;
+    double c[CRT_SVM_HARMONICS] = {0};
+    if (isnan(crt_svm(f->hz, c, CRT_SVM_HARMONICS)))
+        return NAN;
+    crt_waveform_harmonics(p->diode, r->t0, r->t1, f->hz, f->mean_cd_m2, c, CRT_SVM_HARMONICS);
+    return crt_svm(f->hz, c, CRT_SVM_HARMONICS);
+}
+
+static void predict(struct vm_probe *p, const double *colour, struct vm_probe_report *r)
 {
     const struct crt_waveform_figures *f = &r->figures;
     double eye = r->eye_cd_m2 = p->eye_cd_m2 > 0 ? p->eye_cd_m2 : f->mean_cd_m2;
@@ -207,7 +218,7 @@ static void predict(const struct vm_probe *p, const double *colour, struct vm_pr
     }
     r->cff_ferry_porter_hz = crt_cff_ferry_porter(eye, p->viewer.pupil_mm);
     r->ieee = crt_ieee1789(f->hz, f->percent_flicker);
-    r->svm = crt_svm(f->hz, f->c, CRT_HARMONICS);
+    r->svm = svm(p, r);
 }
 
 /* Nothing repeats, or not a whole period was asked for: what is left is how much light there is. */

@@ -1,8 +1,7 @@
 /* probe_along.c — probe --along: the mean luminance along a line, as JSON, CSV and a plot. */
 #include <math.h>
-#include <string.h>
 
-#include "crt/png_file.h"
+#include "emu/json_out.h"
 #include "emu/lab/probe_parts.h"
 #include "emu/lab/profile.h"
 #include "emu/out_file.h"
@@ -26,49 +25,43 @@ static void lead_in(struct along *a, struct vm_machine *m)
     }
 }
 
-static void number(const char *name, double value)
-{
-    printf(",\n \"%s\": ", name);
-    vm_probe_number(stdout, value);
-}
-
 static void print_json(const struct along *a)
 {
     const struct vm_profile_figures *f = &a->figures;
-    char from[VM_SECONDS_TEXT], to[VM_SECONDS_TEXT];
-    vm_probe_seconds(a->job->from, from);
-    vm_probe_seconds(a->job->to, to);
     fputs("{\"program\": ", stdout);
-    vm_probe_text(stdout, a->job->input.name);
-    printf(",\n \"tube\": \"%s\",\n \"phosphor\": \"%s\",\n \"from_s\": %s,\n \"to_s\": %s",
-           a->monitor->row.name, a->monitor->phosphor.name, from, to);
-    number("length_mm", f->length_mm);
-    number("mean_cd_m2", f->mean_cd_m2);
-    number("least_cd_m2", f->least_cd_m2);
-    number("crest_cd_m2", f->crest_cd_m2);
-    number("crest_mm", f->crest_mm);
+    vm_json_text(stdout, a->job->input.name);
+    vm_probe_put_text(stdout, "tube", a->monitor->row.name);
+    vm_probe_put_text(stdout, "phosphor", a->monitor->phosphor.name);
+    vm_probe_put_seconds(stdout, "from_s", a->job->from);
+    vm_probe_put_seconds(stdout, "to_s", a->job->to);
+    vm_probe_put_number(stdout, "length_mm", f->length_mm);
+    vm_probe_put_number(stdout, "mean_cd_m2", f->mean_cd_m2);
+    vm_probe_put_number(stdout, "least_cd_m2", f->least_cd_m2);
+    vm_probe_put_number(stdout, "crest_cd_m2", f->crest_cd_m2);
+    vm_probe_put_number(stdout, "crest_mm", f->crest_mm);
     printf(",\n \"crests\": %d", f->crests);
-    number("width60_mm", f->width60_mm);
-    number("width50_mm", f->width50_mm);
-    number("dip_cd_m2", f->dip_cd_m2);
-    number("dip_modulation", f->dip_modulation);
-    number("apart_mm", f->apart_mm);
+    vm_probe_put_number(stdout, "width60_mm", f->width60_mm);
+    vm_probe_put_number(stdout, "width50_mm", f->width50_mm);
+    vm_probe_put_number(stdout, "dip_cd_m2", f->dip_cd_m2);
+    vm_probe_put_number(stdout, "dip_modulation", f->dip_modulation);
+    vm_probe_put_number(stdout, "apart_mm", f->apart_mm);
     puts("}");
 }
 
 static bool write_csv(const struct along *a, struct crt_error *err)
 {
     struct vm_out out;
-    if (!vm_out_open(&out, a->job->o.csv, err))
-        return false;
-    fputs("mm,cd_m2\n", out.file);
-    for (int i = 0; i < VM_PROFILE_POINTS; i++) {
+    struct crt_error closing;
+    bool ok = vm_out_open(&out, a->job->o.csv, err);
+    if (ok)
+        fputs("mm,cd_m2\n", out.file);
+    for (int i = 0; ok && i < VM_PROFILE_POINTS; i++) {
         vm_probe_number(out.file, a->profile.mm[i]);
         putc(',', out.file);
         vm_probe_number(out.file, a->profile.cd_m2[i]);
         putc('\n', out.file);
     }
-    return vm_out_close(&out, true, err);
+    return vm_out_close(&out, ok, ok ? err : &closing) && ok;
 }
 
 static void put_note(const struct along *a, char *text, size_t size)
@@ -112,8 +105,7 @@ static bool write_plot(const struct along *a, struct crt_error *err)
     if (!vm_plot_draw(&plot, o->size.width ? o->size : vm_plot_size,
                       o->projector ? VM_PLOT_PROJECTOR : VM_PLOT_PAPER, &image, err))
         return false;
-    const struct crt_png_text texts[] = {{"Title", title}};
-    bool ok = crt_png_write(o->out, &image, texts, 1, err);
+    bool ok = vm_plot_write(o->out, &image, title, err);
     crt_image_free(&image);
     return ok;
 }
@@ -121,7 +113,6 @@ static bool write_plot(const struct along *a, struct crt_error *err)
 static bool write_all(const struct along *a, struct crt_error *err)
 {
     const struct vm_probe_options *o = &a->job->o;
-    bool to_stdout = (o->csv && strcmp(o->csv, "-") == 0) || (o->out && strcmp(o->out, "-") == 0);
     if (!(a->figures.crest_cd_m2 > 0) && !o->allow_dark)
         return crt_fail(
             err,
@@ -130,7 +121,7 @@ static bool write_all(const struct along *a, struct crt_error *err)
             a->job->input.name);
     if ((o->csv && !write_csv(a, err)) || (o->out && !write_plot(a, err)))
         return false;
-    if (!to_stdout)
+    if (!vm_probe_to_stdout(o))
         print_json(a);
     return true;
 }
@@ -141,7 +132,6 @@ bool vm_probe_measure_along(struct vm_probe_job *job, struct vm_rig *rig, struct
     const double from[2] = {job->place.x_mm, job->place.y_mm};
     if (!vm_profile_open(&a.profile, rig->tube[job->place.head], from, job->along_mm, err))
         return false;
-    vm_progress_begin(&job->progress);
     lead_in(&a, rig->machine);
     vm_progress_run(&job->progress, rig->machine, job->to);
     vm_progress_end(&job->progress);

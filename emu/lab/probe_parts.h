@@ -62,10 +62,15 @@ void vm_probe_seconds(uint64_t ps, char text[VM_SECONDS_TEXT]);
 /* As many digits as a float has; "null" where it is no number. */
 void vm_probe_number(FILE *out, double value);
 
-/* The text as a JSON string. */
-void vm_probe_text(FILE *out, const char *text);
+/* A member of a JSON object, on a line of its own after others. */
+void vm_probe_put_text(FILE *out, const char *name, const char *value);
+void vm_probe_put_number(FILE *out, const char *name, double value);
+void vm_probe_put_seconds(FILE *out, const char *name, uint64_t ps);
 
-/* --along: from an open rig to all that is to be written. */
+/* Whether CSV or plot go to standard output, where figures would be in their way. */
+bool vm_probe_to_stdout(const struct vm_probe_options *options);
+
+/* --along: from a rig that has run to where light begins to matter, to all that is to be written. */
 bool vm_probe_measure_along(struct vm_probe_job *job, struct vm_rig *rig, struct crt_error *err);
 
 /* --signal: the whole of it, with its files. An exit status. */

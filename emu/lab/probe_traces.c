@@ -2,7 +2,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "crt/png_file.h"
 #include "emu/command.h"
 #include "emu/lab/probe_parts.h"
 #include "emu/out_file.h"
@@ -223,10 +222,9 @@ static bool write_plot(const struct vm_probe_job *job, const struct vm_signals *
     char title[160];
     snprintf(title, sizeof title, "%s on %s: signals of the %s head", job->input.name,
              job->settings.monitor[s->head].row.name, s->head == VM_RASTER ? "raster" : "vector");
-    const struct crt_png_text texts[] = {{"Title", title}};
     if (!draw(job, s, title, &image, err))
         return false;
-    bool ok = crt_png_write(job->o.out, &image, texts, 1, err);
+    bool ok = vm_plot_write(job->o.out, &image, title, err);
     crt_image_free(&image);
     return ok;
 }

@@ -11,15 +11,12 @@ const char vm_sweep_model[] =
     "dark screen (they flicker less), the corner of the eye and moving eyes (more), who the viewer "
     "is.";
 
-/* Harmonics that the stroboscopic visibility measure takes: up to 2 kHz from 80 Hz. */
-#define HARMONICS 25
-
 static double svm(const struct crt_glow *glow, double hz)
 {
-    double c[HARMONICS];
-    for (int n = 1; n <= HARMONICS; n++)
+    double c[CRT_SVM_HARMONICS];
+    for (int n = 1; n <= CRT_SVM_HARMONICS; n++)
         c[n - 1] = crt_glow_harmonic(glow, hz, n);
-    return crt_svm(hz, c, HARMONICS);
+    return crt_svm(hz, c, CRT_SVM_HARMONICS);
 }
 
 struct vm_sweep_cell vm_sweep_cell(const struct vm_sweep *s, const struct vm_sweep_at *at)

@@ -2,7 +2,6 @@
 
 #include <string.h>
 
-#include "crt/png_file.h"
 #include "emu/out_file.h"
 
 enum { OK, TROUBLE, USAGE };
@@ -37,10 +36,11 @@ static bool put_csv(const struct vm_sweep_out *out, const struct vm_sweep_forms 
                     struct crt_error *err)
 {
     struct vm_out file;
-    if (!vm_out_open(&file, out->csv, err))
-        return false;
-    forms->csv(file.file, forms->what);
-    return vm_out_close(&file, true, err);
+    struct crt_error closing;
+    bool ok = vm_out_open(&file, out->csv, err);
+    if (ok)
+        forms->csv(file.file, forms->what);
+    return vm_out_close(&file, ok, ok ? err : &closing) && ok;
 }
 
 static bool put_picture(const struct vm_sweep_out *out, const struct vm_sweep_forms *forms,
@@ -49,7 +49,7 @@ static bool put_picture(const struct vm_sweep_out *out, const struct vm_sweep_fo
     struct crt_image image = {0};
     bool ok = forms->draw(forms->what, out->size.width ? out->size : forms->size,
                           out->projector ? VM_PLOT_PROJECTOR : VM_PLOT_PAPER, &image, err) &&
-              crt_png_write(out->picture, &image, NULL, 0, err);
+              vm_plot_write(out->picture, &image, NULL, err);
     crt_image_free(&image);
     return ok;
 }

@@ -17,9 +17,11 @@
 
 #define PATH   4300
 #define FOLDER "laboratory"
+#define LIMIT  900 /* seconds; the longest lesson that comes along takes some on a slow machine */
 
 struct options {
     const char *out, *roms;
+    long limit_s;
     bool projector, no_flash;
 };
 
@@ -33,6 +35,8 @@ static const struct vm_option rows[] = {
     {"projector", 0, VM_OPT_FLAG, ROW(projector), "", "large type and high contrast", 0, 0},
     {"no-flash", 0, VM_OPT_FLAG, ROW(no_flash), "",
      "nothing live that flashes between 3 and 30 Hz: its plots instead", 0, 0},
+    {"limit", 0, VM_OPT_INTEGER, ROW(limit_s), "SECONDS",
+     "end a command that takes longer by the clock on the wall; default 900", 1, 1000000},
     {"roms", 0, VM_OPT_STRING, ROW(roms), "DIR", "folder of the programs and of " FOLDER "/", 0, 0},
 };
 
@@ -42,6 +46,7 @@ struct asked {
     struct vm_lesson_look look;
     char roms[PATH];                /* absolute */
     char out[PATH];                 /* absolute */
+    char page[VM_LESSON_FILE];      /* its name in there */
     struct vm_lesson_folder folder; /* all of it, or the one lesson */
 };
 
@@ -157,9 +162,14 @@ static int print_texts(const struct asked *a, struct crt_error *err)
 static bool make_folder(const char *path, struct crt_error *err)
 {
     struct stat status;
-    if (mkdir(path, 0777) == 0 || (stat(path, &status) == 0 && S_ISDIR(status.st_mode)))
+    if (mkdir(path, 0777) == 0)
         return true;
-    return crt_fail(err, "the folder %.300s cannot be made: %s", path, strerror(errno));
+    int why = errno;
+    bool there = stat(path, &status) == 0;
+    if (there && S_ISDIR(status.st_mode))
+        return true;
+    return there ? crt_fail(err, "%.300s is no folder; name another one", path)
+                 : crt_fail(err, "the folder %.300s cannot be made: %s", path, strerror(why));
 }
 
 static bool prepare_out(struct asked *a, struct vm_lesson_results *results, struct crt_error *err)
@@ -181,6 +191,14 @@ static bool prepare_out(struct asked *a, struct vm_lesson_results *results, stru
             return false;
     }
     return true;
+}
+
+/* Before the commands take their time. */
+static bool check_page(const struct asked *a, struct crt_error *err)
+{
+    char path[PATH + VM_LESSON_FILE];
+    snprintf(path, sizeof path, "%s/%s", a->out, a->page);
+    return vm_out_check(path, err);
 }
 
 /* Writes DIR/`file` whole or not at all. */
@@ -220,20 +238,36 @@ static void tell(const struct crt_error *sentence)
     fail(0, sentence);
 }
 
-static int write_all(const struct asked *a, const struct vm_lesson_run *run,
-                     const struct vm_lesson_results *results, bool all, struct crt_error *err)
+/* The page that is there stays as it is. */
+static int refuse_page(const struct asked *a)
 {
-    char file[VM_LESSON_FILE];
+    char path[PATH + VM_LESSON_FILE];
+    struct crt_error err;
+    snprintf(path, sizeof path, "%s/%s", a->out, a->page);
+    crt_fail(&err, "%.300s/%s is not written because of that%s", a->o.out, a->page,
+             access(path, F_OK) == 0 ? "; the one that is there is of an earlier run" : "");
+    return fail(VM_EXIT_TROUBLE, &err);
+}
+
+static int write_all(const struct asked *a, const struct vm_lesson_run *run,
+                     const struct vm_lesson_results *results, struct crt_error *err)
+{
     int asked = 0;
-    bool well = true;
-    for (int i = 0; i < a->folder.count; i++)
-        well = vm_lesson_judge(run, &results[i], &asked) && well;
-    snprintf(file, sizeof file, "%s.html", all ? "index" : a->folder.lesson[0].name);
-    if (!write_texts(a, results, err) || !write_file(a, file, results, true, err))
+    enum vm_lesson_verdict verdict = VM_LESSON_HOLDS;
+    for (int i = 0; i < a->folder.count; i++) {
+        enum vm_lesson_verdict one = vm_lesson_judge(run, &results[i], &asked);
+        verdict = one > verdict ? one : verdict;
+    }
+    if (verdict == VM_LESSON_INCOMPLETE)
+        return refuse_page(a);
+    if (!write_texts(a, results, err) || !write_file(a, a->page, results, true, err))
         return fail(VM_EXIT_TROUBLE, err);
-    printf("%s/%s: %d lesson%s, %d expectation%s %s\n", a->o.out, file, a->folder.count,
+    bool well = verdict == VM_LESSON_HOLDS;
+    printf("%s/%s: %d lesson%s, %d expectation%s %s\n", a->o.out, a->page, a->folder.count,
            a->folder.count == 1 ? "" : "s", asked, asked == 1 ? "" : "s",
-           well ? "hold" : "checked, and not all hold");
+           !well        ? "checked, and not all hold"
+           : asked == 1 ? "holds"
+                        : "hold");
     return well ? VM_EXIT_OK : VM_EXIT_TROUBLE;
 }
 
@@ -246,15 +280,22 @@ static int processors(void)
 static int run_lessons(struct asked *a, bool all, struct crt_error *err)
 {
     struct vm_lesson_results *results = calloc((size_t)a->folder.count, sizeof *results);
-    struct vm_lesson_run run = {a->roms, processors(), a->look.projector,
-                                isatty(STDERR_FILENO) == 1, tell};
+    struct vm_lesson_run run = {a->roms,
+                                processors(),
+                                (unsigned)a->o.limit_s,
+                                a->look.projector,
+                                isatty(STDERR_FILENO) == 1,
+                                tell};
     int status = VM_EXIT_TROUBLE;
+    snprintf(a->page, sizeof a->page, "%s.html", all ? "index" : a->folder.lesson[0].name);
     if (!results)
         crt_fail(err, "out of memory");
-    if (!results || !prepare_out(a, results, err))
+    if (!results || !prepare_out(a, results, err) || !check_page(a, err))
         fail(status, err);
     else if (vm_lesson_run(&run, results, a->folder.count))
-        status = write_all(a, &run, results, all, err);
+        status = write_all(a, &run, results, err);
+    else
+        status = refuse_page(a);
     for (int i = 0; results && i < a->folder.count; i++)
         if (results[i].lesson)
             vm_lesson_results_free(&results[i]);
@@ -290,6 +331,7 @@ static int run(int argc, char **argv)
         crt_fail(&err, "out of memory");
         return fail(VM_EXIT_TROUBLE, &err);
     }
+    a->o.limit_s = LIMIT;
     const struct vm_option_table tables[] = {VM_OPTION_TABLE(rows, &a->o)};
     int status = vm_command_parse(&vm_command_lesson, tables, 1, argc, argv, &args, 0, 1);
     a->look = (struct vm_lesson_look){a->o.projector, a->o.no_flash};
@@ -304,8 +346,8 @@ const struct vm_command vm_command_lesson = {
     "[NAME|all|FILE.lesson] [-o DIR]",
     "Lessons on refresh and flicker: print them, or run them into a page",
     "A lesson is captions and a script in one text file. With -o its commands are run, what it "
-    "claims is "
-    "measured, and pictures, plots, tables and one page that opens offline anywhere are written. "
+    "claims is measured, and pictures, plots, tables and one page that opens offline anywhere are "
+    "written. "
     "Exit status 1 when a command fails or something does not hold that the lesson expects. How to "
     "write one: roms/" FOLDER "/LESSONS.md.",
     "  kinescope lesson                               the list\n"

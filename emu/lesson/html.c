@@ -23,10 +23,15 @@ static void put(FILE *out, char c)
     }
 }
 
+void vm_html_bytes(FILE *out, const char *text, size_t n)
+{
+    for (size_t i = 0; i < n; i++)
+        put(out, text[i]);
+}
+
 void vm_html_text(FILE *out, const char *text)
 {
-    for (; *text; text++)
-        put(out, *text);
+    vm_html_bytes(out, text, strlen(text));
 }
 
 void vm_html_prose(FILE *out, const char *text)
@@ -38,8 +43,8 @@ void vm_html_prose(FILE *out, const char *text)
             continue;
         }
         fputs("<code>", out);
-        for (p++; p < end; p++)
-            put(out, *p);
+        vm_html_bytes(out, p + 1, (size_t)(end - p - 1));
+        p = end;
         fputs("</code>", out);
     }
 }

@@ -10,6 +10,7 @@
 
 /* As it is, also within the quotes of an attribute. */
 void vm_html_text(FILE *out, const char *text);
+void vm_html_bytes(FILE *out, const char *text, size_t n);
 /* With `code` between backquotes. */
 void vm_html_prose(FILE *out, const char *text);
 /* RFC 4648, in one line. */

@@ -45,6 +45,12 @@ bool vm_lesson_runs(const struct vm_lesson_line *line)
            line->word == VM_LESSON_TABLE || line->word == VM_LESSON_FIGURES;
 }
 
+bool vm_lesson_quotes(enum vm_lesson_word word)
+{
+    return word == VM_LESSON_TEXT || word == VM_LESSON_ITEM || word == VM_LESSON_NOTES ||
+           word == VM_LESSON_CAPTION;
+}
+
 int vm_lesson_find_step(const struct vm_lesson *lesson, const char *name, size_t length)
 {
     for (int i = 0; i < lesson->steps; i++)

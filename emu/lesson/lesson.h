@@ -86,6 +86,8 @@ const char *vm_lesson_word_name(enum vm_lesson_word word);
 
 /* Whether the line's command is run: a picture, plot, table or figures. */
 bool vm_lesson_runs(const struct vm_lesson_line *line);
+/* Whether figures may be quoted in what stands after the word. */
+bool vm_lesson_quotes(enum vm_lesson_word word);
 /* The step of this name, −1: none. */
 int vm_lesson_find_step(const struct vm_lesson *lesson, const char *name, size_t length);
 /* Any step, or step `step`, flashes when shown live. */

@@ -7,6 +7,7 @@
 #include "emu/lesson/lesson_expect.h"
 #include "emu/lesson/lesson_parts.h"
 
+#define SAYS_MOST   200 /* bytes */
 #define CAPTION_FOR "picture, plot, table or live"
 
 static bool wrong(const struct vm_lesson *l, int i, const char *why, struct crt_error *err)
@@ -115,48 +116,17 @@ static bool take_caption(struct vm_lesson *l, int i, struct crt_error *err)
 
 static bool take_says(struct vm_lesson *l, int i, struct crt_error *err)
 {
+    if (strlen(l->line[i].text) > SAYS_MOST)
+        return wrong(l, i, "these are too many words; give those that matter", err);
     l->line[i].about = find_above(l, i, false);
     return l->line[i].about >= 0 || wrong(l, i, "there is no command above that says it", err);
 }
 
-static bool taken(const struct vm_lesson *l, int before, const char *file)
+static bool take_command(struct vm_lesson *l, struct vm_lesson_files *files, int i,
+                         struct crt_error *err)
 {
-    for (int j = 0; j < before; j++)
-        if (strcmp(l->line[j].file, file) == 0)
-            return true;
-    return false;
-}
-
-/* STEP.png, STEP-2.png … */
-static void name_result(struct vm_lesson *l, int i)
-{
-    struct vm_lesson_line *line = &l->line[i];
-    const char *step = l->step[line->step].name;
-    const char *ending = vm_lesson_command_ending(line->word, line->text);
-    char file[VM_LESSON_FILE];
-    snprintf(file, sizeof file, "%s.%s", step, ending);
-    for (int n = 2; taken(l, i, file); n++)
-        snprintf(file, sizeof file, "%s-%d.%s", step, n, ending);
-    memcpy(line->file, file, sizeof file);
-}
-
-static bool take_command(struct vm_lesson *l, int i, struct crt_error *err)
-{
-    struct vm_lesson_line *line = &l->line[i];
     struct crt_error why;
-    if (!vm_lesson_command_check(line->word, line->text, line->file, sizeof line->file, &why))
-        return wrong(l, i, why.text, err);
-    if (line->word == VM_LESSON_LIVE || line->word == VM_LESSON_FIGURES)
-        return true;
-    line->named = line->file[0] != '\0';
-    if (!line->named)
-        name_result(l, i);
-    else if (taken(l, i, line->file)) {
-        char sentence[120];
-        snprintf(sentence, sizeof sentence, "a command above makes %s, too", line->file);
-        return wrong(l, i, sentence, err);
-    }
-    return true;
+    return vm_lesson_files_take(files, l, i, &why) || wrong(l, i, why.text, err);
 }
 
 /* A figure of another step, or of a step that has commands: whether they print it, running them tells. */
@@ -216,7 +186,8 @@ static bool take_flashes(struct vm_lesson *l, int i, struct crt_error *err)
     return wrong(l, i, "a step that flashes needs a picture or plot, for --no-flash to show", err);
 }
 
-static bool take_line(struct vm_lesson *l, int i, struct crt_error *err)
+static bool take_line(struct vm_lesson *l, struct vm_lesson_files *files, int i,
+                      struct crt_error *err)
 {
     switch (l->line[i].word) {
     case VM_LESSON_TEXT:
@@ -230,7 +201,7 @@ static bool take_line(struct vm_lesson *l, int i, struct crt_error *err)
     case VM_LESSON_TABLE:
     case VM_LESSON_FIGURES:
     case VM_LESSON_LIVE:
-        return take_command(l, i, err);
+        return take_command(l, files, i, err);
     case VM_LESSON_EXPECT:
         return take_expect(l, i, err);
     case VM_LESSON_SAYS:
@@ -249,8 +220,10 @@ bool vm_lesson_check(struct vm_lesson *l, struct crt_error *err)
             return false;
     if (!check_head(l, err))
         return false;
-    for (int i = 0; i < l->lines; i++)
-        if (!take_line(l, i, err))
-            return false;
-    return true;
+    struct vm_lesson_files files = {0};
+    bool ok = true;
+    for (int i = 0; ok && i < l->lines; i++)
+        ok = take_line(l, &files, i, err);
+    vm_lesson_files_free(&files);
+    return ok;
 }

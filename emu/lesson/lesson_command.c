@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "emu/options.h"
 
@@ -14,7 +13,14 @@ static const char *const commands[] = {"capture", "probe", "sweep", "measure", "
                                        "trace",   "why",   "list",  "compare", "disasm"};
 #define COMMANDS (sizeof commands / sizeof *commands)
 
-static const char *const endings[] = {".png", ".csv", ".txt", ".json", ".y4m"};
+/* Options whose value is a file that is written; of one command only, or ("") of all that have it. */
+static const struct {
+    const char *option, *verb;
+} writers[] = {
+    {"-o", ""},           {"--out", ""},         {"--csv", "probe"},   {"--csv", "sweep"},
+    {"--y4m", "capture"}, {"--diff", "compare"}, {"--write", "sweep"}, {"--save-state", ""},
+};
+#define WRITERS (sizeof writers / sizeof *writers)
 
 static bool ends_with(const char *text, const char *ending)
 {
@@ -22,26 +28,34 @@ static bool ends_with(const char *text, const char *ending)
     return n > m && strcmp(text + n - m, ending) == 0;
 }
 
-/* A plain file name that a result may have; what begins with '-' is an option. */
-static bool is_result(const char *name)
+/* Whether the `n` characters at `option` are one that has a file written. */
+static bool writes(const struct vm_words *words, const char *option, size_t n)
 {
-    if (*name == '-' || *name == '.' || strchr(name, '/'))
-        return false;
-    for (size_t i = 0; i < sizeof endings / sizeof *endings; i++)
-        if (ends_with(name, endings[i]))
+    for (size_t i = 0; i < WRITERS; i++)
+        if (strlen(writers[i].option) == n && strncmp(writers[i].option, option, n) == 0 &&
+            (!*writers[i].verb || strcmp(writers[i].verb, words->item[0]) == 0))
             return true;
     return false;
 }
 
-/* The file name in word `i`, where it may name a result: after an option, or behind its '='. */
-static char *result_in(const struct vm_words *words, int i)
+/* The name in word `i` of a file that is written: after the option, or in one word with it. */
+static char *written_in(const struct vm_words *words, int i)
 {
     char *word = words->item[i];
-    if (word[0] == '-') {
-        char *equals = strchr(word, '=');
-        return equals && is_result(equals + 1) ? equals + 1 : NULL;
+    if (word[0] != '-' || word[1] == '\0') {
+        const char *option = words->item[i - 1];
+        return i > 1 && writes(words, option, strlen(option)) ? word : NULL;
     }
-    return i > 0 && words->item[i - 1][0] == '-' && is_result(word) ? word : NULL;
+    size_t n = word[1] == '-' ? strcspn(word, "=") : 2;
+    if (word[n] == '\0' || !writes(words, word, n))
+        return NULL;
+    return word + n + (word[n] == '=');
+}
+
+/* A name that stays within the folder of results. */
+static bool is_plain(const char *name)
+{
+    return *name && *name != '-' && *name != '.' && !strchr(name, '/');
 }
 
 static const char *wanted_ending(enum vm_lesson_word word)
@@ -49,18 +63,23 @@ static const char *wanted_ending(enum vm_lesson_word word)
     return word == VM_LESSON_PICTURE || word == VM_LESSON_PLOT ? ".png" : NULL;
 }
 
-/* The result that is shown: of pictures and plots the first .png, of tables the first .csv or .txt. */
-static const char *shown_result(enum vm_lesson_word word, const struct vm_words *words)
+/* Whether a file of this name is what is shown: of pictures and plots a .png, of tables a .csv or .txt. */
+static bool is_shown(enum vm_lesson_word word, const char *name)
 {
     const char *ending = wanted_ending(word);
+    if (word == VM_LESSON_FIGURES)
+        return false;
+    return ending ? ends_with(name, ending) : ends_with(name, ".csv") || ends_with(name, ".txt");
+}
+
+static bool names_shown(enum vm_lesson_word word, const struct vm_words *words)
+{
     for (int i = 1; i < words->count; i++) {
-        const char *name = result_in(words, i);
-        bool fits = name && (ending ? ends_with(name, ending)
-                                    : ends_with(name, ".csv") || ends_with(name, ".txt"));
-        if (fits && word != VM_LESSON_FIGURES)
-            return name;
+        const char *name = written_in(words, i);
+        if (name && is_shown(word, name))
+            return true;
     }
-    return NULL;
+    return false;
 }
 
 static bool check_verb(const struct vm_words *words, struct crt_error *err)
@@ -86,21 +105,39 @@ static bool check_live(const struct vm_words *words, struct crt_error *err)
     return crt_fail(err, "what is shown live begins with run: live run roms/growing.df");
 }
 
-bool vm_lesson_command_check(enum vm_lesson_word word, const char *text, char *file, size_t size,
-                             struct crt_error *err)
+static bool take_written(enum vm_lesson_word word, const char *name,
+                         struct vm_lesson_written *written, struct crt_error *err)
+{
+    if (!is_plain(name))
+        return crt_fail(err,
+                        "'%.60s' is no plain name of a file; results go into the lesson's folder, "
+                        "so name it without one",
+                        name);
+    if (strlen(name) >= VM_LESSON_FILE)
+        return crt_fail(err, "the file name '%.60s…' is too long", name);
+    if (written->count == VM_LESSON_WRITTEN)
+        return crt_fail(err, "a command here writes at most %d files", VM_LESSON_WRITTEN);
+    if (written->shown < 0 && is_shown(word, name))
+        written->shown = written->count;
+    snprintf(written->name[written->count++], VM_LESSON_FILE, "%s", name);
+    return true;
+}
+
+bool vm_lesson_command_check(enum vm_lesson_word word, const char *text,
+                             struct vm_lesson_written *written, struct crt_error *err)
 {
     struct vm_words words;
+    bool live = word == VM_LESSON_LIVE;
     bool ok = vm_words_split(&words, text, err) &&
-              (word == VM_LESSON_LIVE ? check_live(&words, err) : check_verb(&words, err));
-    file[0] = '\0';
-    for (int i = 1; ok && i < words.count; i++)
-        if (strcmp(words.item[i], "-") == 0)
+              (live ? check_live(&words, err) : check_verb(&words, err));
+    *written = (struct vm_lesson_written){.shown = -1};
+    for (int i = 1; ok && i < words.count; i++) {
+        const char *name = written_in(&words, i);
+        if (strcmp(name ? name : words.item[i], "-") == 0)
             ok = crt_fail(err, "'-' has no meaning in a lesson; leave it out, or name a file");
-    const char *name = ok && word != VM_LESSON_LIVE ? shown_result(word, &words) : NULL;
-    if (name && strlen(name) >= size)
-        ok = crt_fail(err, "the file name '%.60s…' is too long", name);
-    else if (name)
-        snprintf(file, size, "%s", name);
+        else if (name && !live)
+            ok = take_written(word, name, written, err);
+    }
     vm_words_free(&words);
     return ok;
 }
@@ -122,7 +159,7 @@ const char *vm_lesson_command_ending(enum vm_lesson_word word, const char *text)
 /* Whether -o FILE is to be added: a picture or plot whose command names none. */
 static bool lacks_out(const struct vm_lesson_line *line, const struct vm_words *words)
 {
-    return wanted_ending(line->word) && !shown_result(line->word, words);
+    return wanted_ending(line->word) && !names_shown(line->word, words);
 }
 
 static bool is_plot(const struct vm_lesson_line *line, const struct vm_words *words)
@@ -165,29 +202,17 @@ static bool put_path(struct vm_words *words, int i, const char *name, const char
     return true;
 }
 
-/* A file with a dot in its name, beside the lesson. */
-static bool beside(const char *folder, const char *name)
-{
-    char path[PATH];
-    struct stat status;
-    int n = snprintf(path, sizeof path, "%s/%s", folder, name);
-    return strchr(name, '.') && n > 0 && n < PATH && stat(path, &status) == 0 &&
-           S_ISREG(status.st_mode);
-}
-
 static bool place_word(struct vm_words *words, int i, const struct vm_lesson_places *places,
                        struct crt_error *err)
 {
     char *word = words->item[i], *equals = word[0] == '-' ? strchr(word, '=') : NULL;
     const char *name = equals ? equals + 1 : word;
-    const char *result = result_in(words, i);
+    const char *result = written_in(words, i);
     if (result)
         return put_path(words, i, result, places->out, result, err);
     if (strncmp(name, "roms/", 5) == 0)
         return put_path(words, i, name, places->roms, name + 5, err);
-    if (name[0] == '/' || name[0] == '-' || !beside(places->lesson, name))
-        return true;
-    return put_path(words, i, name, places->lesson, name, err);
+    return true;
 }
 
 bool vm_lesson_command_start(const struct vm_lesson_line *line,

@@ -12,22 +12,29 @@
 #include "emu/lesson/lesson.h"
 #include "emu/lesson/lesson_words.h"
 
-/* Whether a lesson may have it as `word`; the file that it names for its result goes into `file`, else "". */
-bool vm_lesson_command_check(enum vm_lesson_word word, const char *text, char *file, size_t size,
-                             struct crt_error *err);
+/* Names of the files that a command itself says it writes. */
+#define VM_LESSON_WRITTEN 8
+struct vm_lesson_written {
+    char name[VM_LESSON_WRITTEN][VM_LESSON_FILE];
+    int count;
+    int shown; /* the one that the page shows; −1: none */
+};
+
+/* Whether a lesson may have it as `word`. What it writes stays within the folder of results. */
+bool vm_lesson_command_check(enum vm_lesson_word word, const char *text,
+                             struct vm_lesson_written *written, struct crt_error *err);
 /* "csv" when it prints CSV, "txt" when it prints something else, "png" of pictures and plots. */
 const char *vm_lesson_command_ending(enum vm_lesson_word word, const char *text);
 
 /* As typed, malloced: "kinescope …", with the options that are added. */
 char *vm_lesson_command_shown(const struct vm_lesson_line *line, bool projector);
 
-/* Where things are when a command is started; all paths absolute. */
+/* Where things are when a command is started; both absolute. */
 struct vm_lesson_places {
-    const char *roms;   /* what roms/ means */
-    const char *lesson; /* the folder of the lesson's file */
-    const char *out;    /* where results go */
+    const char *roms; /* what roms/ means */
+    const char *out;  /* where results go */
 };
-/* The words to start it with; to be freed also when it fails. */
+/* The words to start it with, in the folder of the lesson's file; to be freed also when it fails. */
 bool vm_lesson_command_start(const struct vm_lesson_line *line,
                              const struct vm_lesson_places *places, bool projector,
                              struct vm_words *words, struct crt_error *err);

@@ -77,10 +77,11 @@ static bool read_range(struct vm_expect *e, const char *word, struct crt_error *
     double low, high, factor;
     const char *suffix;
     if (!dots)
-        return crt_fail(err,
-                        "'%s' is neither a range such as 0.43..0.46 nor <, <=, >, >=, =, true, "
-                        "false, none",
-                        word);
+        return crt_fail(
+            err,
+            "'%s' is neither a range such as 0.43..0.46, in one word, nor <, <=, >, >=, =, "
+            "true, false, none",
+            word);
     snprintf(e->low, sizeof e->low, "%.*s", (int)(dots - word), word);
     snprintf(e->high, sizeof e->high, "%s", dots + 2);
     if (!read_number(e->low, &low, &factor, &suffix) ||
@@ -89,7 +90,11 @@ static bool read_range(struct vm_expect *e, const char *word, struct crt_error *
             err, "'%s' is not a range of two numbers; they may end in ns, us, ms, s, k or %%",
             word);
     e->kind = VM_EXPECT_RANGE;
-    return low <= high || crt_fail(err, "the range '%s' is empty", word);
+    return low <= high ||
+           crt_fail(err,
+                    "the range '%s' is empty; each end has its own unit, as in 10ms..20ms or "
+                    "5%%..10%%",
+                    word);
 }
 
 /* What stands after a sign: a number, {a figure}, or after = also a word. */

@@ -36,7 +36,7 @@ bool vm_expect_read(struct vm_expect *expect, const char *text, struct crt_error
 /* How it came out, as a sentence's parts. */
 struct vm_expect_outcome {
     bool holds;
-    char measured[160], expected[200];
+    char measured[256], expected[256];
 };
 /* False and a sentence when a figure is not there. */
 bool vm_expect_check(const struct vm_expect *expect, vm_quote_find *find, void *context,

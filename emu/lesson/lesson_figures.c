@@ -84,14 +84,27 @@ static bool take_code(struct reader *r, char *out, size_t *n)
     return true;
 }
 
+/* Cuts a text to `n` bytes, and leaves out a character of several bytes there, of which some may be missing. */
+static void cut_text(char *text, size_t n)
+{
+    while (n > 0 && (text[n - 1] & 0xc0) == 0x80)
+        n--;
+    if (n > 0 && (text[n - 1] & 0x80))
+        n--;
+    text[n] = '\0';
+}
+
 /* After the first quotation mark. Longer texts are cut. */
 static bool take_text(struct reader *r, char *text)
 {
     size_t n = 0;
+    bool cut = false;
     while (*r->p && *r->p != '"') {
         char c = *r->p++;
-        if (n > NAME - 5)
+        if (n > NAME - 5) {
             n = NAME - 5;
+            cut = true;
+        }
         if (c != '\\') {
             text[n++] = c;
             continue;
@@ -107,6 +120,8 @@ static bool take_text(struct reader *r, char *text)
             text[n++] = c == 'n' || c == 't' || c == 'r' ? ' ' : c;
     }
     text[n] = '\0';
+    if (cut)
+        cut_text(text, NAME - 5);
     if (*r->p != '"')
         return wrong(r, "a text without end");
     r->p++;

@@ -32,13 +32,26 @@ static bool put_filled(const struct page *p, int i, const char *before, const ch
     return true;
 }
 
+/* An option is not broken at its hyphens when the line is too long. */
+static void put_words(FILE *out, const char *p)
+{
+    while (*p) {
+        size_t gap = strspn(p, " "), n = strcspn(p + gap, " ");
+        bool option = p[gap] == '-';
+        fprintf(out, "%.*s%s", (int)gap, p, option ? "<span>" : "");
+        vm_html_bytes(out, p + gap, n);
+        fputs(option ? "</span>" : "", out);
+        p += gap + n;
+    }
+}
+
 static bool put_command(const struct page *p, const struct vm_lesson_line *line)
 {
     char *shown = vm_lesson_command_shown(line, p->look->projector);
     if (!shown)
         return crt_fail(p->err, "out of memory");
     fputs("<pre class=\"type\"><code>", p->out);
-    vm_html_text(p->out, shown);
+    put_words(p->out, shown);
     fputs("</code></pre>\n", p->out);
     free(shown);
     return true;
@@ -76,7 +89,7 @@ static bool put_table(const struct page *p, int i)
     char *text = vm_lesson_made(p->results, i, &length, p->err);
     if (!text)
         return false;
-    fputs("<div class=\"scroll\" tabindex=\"0\">", p->out);
+    fputs("<div class=\"scroll\" tabindex=\"0\" role=\"group\" aria-label=\"Table\">", p->out);
     if (ends_with_csv(p->lesson->line[i].file))
         vm_html_csv(p->out, text, ROWS_SHOWN);
     else {
@@ -172,11 +185,11 @@ static bool put_check(const struct page *p, int i)
         (!says && !vm_expect_read(&expect, line->text, p->err)))
         return false;
     const char *name = says ? "the output" : *expect.label ? expect.label : expect.key;
-    fputs("<tr><td>", p->out);
+    fputs("<tr><th scope=\"row\">", p->out);
     vm_html_text(p->out, name);
-    fputs("</td><td>measured ", p->out);
+    fputs(says ? "</th><td>" : "</th><td>measured ", p->out);
     vm_html_text(p->out, o.measured);
-    fputs("</td><td>expected ", p->out);
+    fputs(says ? "</td><td>expected the words " : "</td><td>expected ", p->out);
     vm_html_text(p->out, o.expected);
     fprintf(p->out, "</td><td class=\"%s\">%s</td></tr>\n", o.holds ? "good" : "bad",
             o.holds ? "✓ holds" : "✗ does not hold");
@@ -199,7 +212,9 @@ static bool put_checks(const struct page *p, int first, int end)
         if (!shows_check(p, i))
             continue;
         if (!begun)
-            fputs("<div class=\"scroll\"><table class=\"checks\">\n", p->out);
+            fputs("<div class=\"scroll\" tabindex=\"0\" role=\"group\" "
+                  "aria-label=\"What was expected\"><table class=\"checks\">\n",
+                  p->out);
         begun = true;
         ok = put_check(p, i);
     }
@@ -234,7 +249,9 @@ static bool put_lines(struct page *p, int first, int end)
 
 static void put_warning(const struct page *p)
 {
-    fprintf(p->out, "<p class=\"warn\" role=\"note\">%s</p>\n", vm_lesson_warning);
+    fputs("<p class=\"warn\" role=\"note\">", p->out);
+    put_words(p->out, vm_lesson_warning);
+    fputs("</p>\n", p->out);
 }
 
 static bool put_step(struct page *p, int s)

@@ -219,14 +219,20 @@ static bool find_steps(struct vm_lesson *l, struct crt_error *err)
     return true;
 }
 
+/* My_First.lesson is my-first. */
 static void name_lesson(struct vm_lesson *l)
 {
     const char *slash = strrchr(l->path, '/'), *name = slash ? slash + 1 : l->path;
-    size_t n = strcspn(name, ".");
-    if (!vm_lesson_is_name(name, n))
-        name = "lesson", n = 6;
-    memcpy(l->name, name, n);
+    size_t n = 0;
+    for (; *name && *name != '.' && n + 1 < sizeof l->name; name++) {
+        bool capital = *name >= 'A' && *name <= 'Z';
+        char c[2] = {capital ? (char)(*name - 'A' + 'a') : *name, '\0'};
+        l->name[n] = vm_lesson_is_name(c, 1) ? *c : '-';
+        n += n > 0 || l->name[n] != '-';
+    }
     l->name[n] = '\0';
+    if (n == 0)
+        memcpy(l->name, "lesson", sizeof "lesson");
 }
 
 static bool allocate(struct vm_lesson *l, const char *path, size_t length)

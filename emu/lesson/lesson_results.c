@@ -36,11 +36,8 @@ bool vm_lesson_results_take(struct vm_lesson_results *r, int i, char *said, stru
     result->said = said;
     result->has_figures = said[strspn(said, " \t\r\n")] == '{';
     if (!result->has_figures && line->word == VM_LESSON_FIGURES)
-        return vm_lesson_fail(
-            r->lesson, line->number,
-            "the command prints no JSON, so that there are no figures; --json may "
-            "be missing",
-            err);
+        return crt_fail(err, "the command prints no JSON, so that there are no figures; --json may "
+                             "be missing");
     return !result->has_figures || vm_figures_read(&result->figures, said, err);
 }
 
@@ -119,7 +116,7 @@ static void check_says(const struct vm_lesson_results *r, const struct vm_lesson
     const char *said = r->result[line->about].said;
     o->holds = said && strstr(said, line->text);
     snprintf(o->measured, sizeof o->measured, "%s", o->holds ? "it says so" : "it does not say so");
-    snprintf(o->expected, sizeof o->expected, "%.190s", line->text);
+    snprintf(o->expected, sizeof o->expected, "%s", line->text);
 }
 
 bool vm_lesson_outcome(const struct vm_lesson_results *r, int i, struct vm_expect_outcome *outcome,

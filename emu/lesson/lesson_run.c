@@ -1,6 +1,8 @@
 #define _XOPEN_SOURCE 700 /* realpath */
 #include "emu/lesson/lesson_run.h"
 
+#include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +14,7 @@
 
 #define AT_ONCE_MOST 16
 #define PATH         4300
+#define LOST         (1 << 8) /* as waitpid tells of exit status 1 */
 
 struct job {
     struct vm_child child;
@@ -90,11 +93,11 @@ static void start(struct runner *r, int lesson, int line)
     struct vm_words words = {.count = 0};
     struct crt_error why;
     char *folder = folder_of(l->path);
-    struct vm_lesson_places places = {r->how->roms, folder ? folder : "/", results->folder};
+    struct vm_lesson_places places = {r->how->roms, results->folder};
     show_progress(r, l, l->line[line].step);
     *job = (struct job){.lesson = lesson, .line = line};
     if (vm_lesson_command_start(&l->line[line], &places, r->how->projector, &words, &why) &&
-        vm_child_start(&job->child, words.item, &why))
+        vm_child_start(&job->child, words.item, folder ? folder : "/", r->how->limit_s, &why))
         r->running++;
     else
         fail(r, lesson, line, why.text);
@@ -187,9 +190,12 @@ static void wait_for_one(struct runner *r)
 {
     int status = 0;
     pid_t pid = waitpid(-1, &status, 0);
+    while (pid < 0 && errno == EINTR)
+        pid = waitpid(-1, &status, 0);
+    /* That there is no child left cannot be, but would be waited for without end. */
     for (int i = 0; i < r->running; i++)
-        if (r->job[i].child.pid == pid) {
-            finish(r, &r->job[i], status);
+        if (r->job[i].child.pid == pid || pid < 0) {
+            finish(r, &r->job[i], pid < 0 ? LOST : status);
             r->job[i] = r->job[--r->running];
             return;
         }
@@ -199,6 +205,8 @@ bool vm_lesson_run(const struct vm_lesson_run *how, struct vm_lesson_results *re
 {
     struct runner r = {.how = how, .results = results, .count = count, .well = true};
     int most = how->at_once < 1 ? 1 : how->at_once > AT_ONCE_MOST ? AT_ONCE_MOST : how->at_once;
+    signal(SIGCHLD,
+           SIG_DFL); /* ignored, as some callers leave it, children vanish unseen: waitpid(2) */
     while (next(&r)) {
         while (r.running >= most)
             wait_for_one(&r);
@@ -229,23 +237,46 @@ static void tell_broken(const struct vm_lesson_run *how, const struct vm_lesson 
     how->tell(&err);
 }
 
-bool vm_lesson_judge(const struct vm_lesson_run *how, const struct vm_lesson_results *r, int *asked)
+static enum vm_lesson_verdict judge_line(const struct vm_lesson_run *how,
+                                         const struct vm_lesson_results *r, int i)
 {
     struct vm_expect_outcome outcome;
     struct crt_error err;
-    bool well = true;
+    if (!vm_lesson_outcome(r, i, &outcome, &err)) {
+        how->tell(&err);
+        return VM_LESSON_INCOMPLETE;
+    }
+    if (!outcome.holds)
+        tell_broken(how, r->lesson, i, &outcome);
+    return outcome.holds ? VM_LESSON_HOLDS : VM_LESSON_BROKEN;
+}
+
+static enum vm_lesson_verdict fill_line(const struct vm_lesson_run *how,
+                                        const struct vm_lesson_results *r, int i)
+{
+    struct crt_error err;
+    char *text = vm_lesson_filled(r->lesson, r, i, &err);
+    if (!text)
+        how->tell(&err);
+    bool filled = text != NULL;
+    free(text);
+    return filled ? VM_LESSON_HOLDS : VM_LESSON_INCOMPLETE;
+}
+
+enum vm_lesson_verdict vm_lesson_judge(const struct vm_lesson_run *how,
+                                       const struct vm_lesson_results *r, int *asked)
+{
+    enum vm_lesson_verdict verdict = VM_LESSON_HOLDS;
     for (int i = 0; i < r->lesson->lines; i++) {
         enum vm_lesson_word word = r->lesson->line[i].word;
-        if (word != VM_LESSON_EXPECT && word != VM_LESSON_SAYS)
-            continue;
-        ++*asked;
-        if (!vm_lesson_outcome(r, i, &outcome, &err)) {
-            how->tell(&err);
-            well = false;
-        } else if (!outcome.holds) {
-            tell_broken(how, r->lesson, i, &outcome);
-            well = false;
-        }
+        enum vm_lesson_verdict one = VM_LESSON_HOLDS;
+        bool expected = word == VM_LESSON_EXPECT || word == VM_LESSON_SAYS;
+        if (expected)
+            one = judge_line(how, r, i);
+        else if (vm_lesson_quotes(word))
+            one = fill_line(how, r, i);
+        *asked += expected;
+        verdict = one > verdict ? one : verdict;
     }
-    return well;
+    return verdict;
 }

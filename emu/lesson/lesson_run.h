@@ -15,6 +15,7 @@
 struct vm_lesson_run {
     const char *roms; /* absolute: what roms/ means */
     int at_once;
+    unsigned limit_s; /* of each command, by the clock on the wall; 0: none */
     bool projector;
     bool progress; /* a line on standard error that overwrites itself */
     void (*tell)(const struct crt_error *sentence);
@@ -23,9 +24,14 @@ struct vm_lesson_run {
 /* Folders must exist, `results[i].folder` absolute. False: something went wrong, and was told. */
 bool vm_lesson_run(const struct vm_lesson_run *run, struct vm_lesson_results *results, int count);
 
-/* Tells what was expected and does not hold; false when there is any, or a figure is not there. `held` and `asked`
- * are counted on. */
-bool vm_lesson_judge(const struct vm_lesson_run *run, const struct vm_lesson_results *r,
-                     int *asked);
+enum vm_lesson_verdict {
+    VM_LESSON_HOLDS,
+    VM_LESSON_BROKEN,    /* something that is expected does not hold */
+    VM_LESSON_INCOMPLETE /* a figure is not there: nothing can be printed */
+};
+
+/* Tells all that does not hold and all figures that are not there; counts on in `asked` what was expected. */
+enum vm_lesson_verdict vm_lesson_judge(const struct vm_lesson_run *run,
+                                       const struct vm_lesson_results *r, int *asked);
 
 #endif

@@ -22,15 +22,19 @@ const char vm_lesson_style[] =
     "gap:0 1.2rem}.row figure{margin:.6rem 0}\n"
     ".scroll{overflow-x:auto}\n"
     "pre,code{font-family:'DejaVu Sans Mono',Menlo,Consolas,monospace;font-size:.82em}\n"
+    "pre code{font-size:.92em}"
     "pre{background:var(--soft);padding:.6rem .8rem;margin:.5rem "
     "0;overflow-x:auto;line-height:1.35}\n"
     "pre.type{white-space:pre-wrap;overflow-wrap:anywhere;border-left:4px solid var(--link)}\n"
+    "pre.type span,.warn span{white-space:nowrap}\n"
     "pre.type code{-webkit-user-select:all;user-select:all}pre.type code::before{content:'$ ';"
     "color:#555}\n"
     "table{border-collapse:collapse;font-size:.85rem;margin:.5rem 0}"
     "th,td{border:1px solid var(--rule);padding:.25rem .6rem;text-align:right}"
     "th{background:var(--soft)}th:first-child,td:first-child{text-align:left}\n"
-    "table.checks td{text-align:left}.good{color:var(--good);font-weight:bold}"
+    "table.checks td,table.checks th{text-align:left}table.checks th{font-weight:normal}"
+    "table.checks .good,table.checks "
+    ".bad{white-space:nowrap}.good{color:var(--good);font-weight:bold}"
     ".bad{color:var(--bad);font-weight:bold}\n"
     ".more{font-size:.85rem;margin-top:0}\n"
     ".warn{background:var(--warn);border:2px solid #7a5b00;padding:.6rem .9rem}\n"
@@ -39,10 +43,14 @@ const char vm_lesson_style[] =
     "details{border-left:4px solid var(--rule);padding:.2rem .9rem;margin:1rem 0}"
     "summary{font-size:.9rem;cursor:pointer}\n"
     "#slides{position:fixed;right:1rem;bottom:1rem;font-size:.9rem;padding:.5rem .9rem}\n"
-    "body.slides{max-width:72rem}body.slides .slide{display:none}body.slides "
-    ".slide.now{display:block}"
-    "body.slides nav,body.slides footer{display:none}\n"
-    "body.slides figure img{max-height:66vh;width:auto}\n"
+    "body.slides{max-width:72rem;padding-top:.8rem}body.slides .slide{display:none}"
+    "body.slides .slide.now{display:block}"
+    "body.slides>header,body.slides nav,body.slides footer{display:none}\n"
+    "body.slides .slide>h1,body.slides .slide>h2,body.slides .slide>h3{font-size:1.6rem;"
+    "margin:0 5rem .5rem 0;padding:0;border:0}"
+    "body.slides #slides{top:.8rem;bottom:auto}"
+    "body.slides figure{margin:.6rem 0}body.slides figure img{max-height:62vh;width:auto}"
+    "body.slides .row{grid-template-columns:repeat(auto-fit,minmax(min(100%,14rem),1fr))}\n"
     "@media print{html{font-size:11pt}body{max-width:none;padding:0}#slides{display:none}"
     "article{break-before:page}figure,table,pre{break-inside:avoid}h2,h3{break-after:avoid}"
     "figure img{max-height:11cm;width:auto}}\n";
@@ -53,13 +61,16 @@ const char vm_lesson_style_projector[] =
     "figcaption{font-size:1rem}table{font-size:.9rem}.kind,.more,summary{font-size:.9rem}"
     "pre,code{font-size:.85em}pre.type{border-left-width:8px}\n";
 
-/* "Slides" shows one step at a time; arrow keys turn pages, Escape ends it. Without it all is there. */
+/* "Slides", or #slides behind the page's name, shows one step at a time; arrow keys and a presenter's (Page Up, Page
+ * Down) turn pages, Home and End go to the first and last, Escape ends it. Without it all is there. */
 const char vm_lesson_script[] =
     "(function(){var s=[].slice.call(document.querySelectorAll('.slide')),n=0,on=false,"
     "b=document.createElement('button');if(!s.length)return;"
     "function show(){document.body.classList.toggle('slides',on);"
     "s.forEach(function(e,i){e.classList.toggle('now',on&&i===n)});"
-    "b.textContent=on?(n+1)+' / '+s.length+' (Esc ends)':'Slides';if(on)window.scrollTo(0,0)}"
+    "b.textContent=on?(n+1)+' / '+s.length:'Slides';"
+    "b.title=on?'Escape or a click ends this':'A step at a time, by the arrow "
+    "keys';if(on)window.scrollTo(0,0)}"
     "function go(d){n=Math.max(0,Math.min(s.length-1,n+d));show()}"
     "function "
     "begin(){n=0;s.forEach(function(e,i){if(e.getBoundingClientRect().top<120)n=i});on=true;"
@@ -70,4 +81,6 @@ const char vm_lesson_script[] =
     "document.addEventListener('keydown',function(e){if(!on)return;"
     "if(e.key==='ArrowRight'||e.key==='PageDown'){go(1);e.preventDefault()}"
     "else if(e.key==='ArrowLeft'||e.key==='PageUp'){go(-1);e.preventDefault()}"
-    "else if(e.key==='Escape')end()});show()})();\n";
+    "else if(e.key==='Home'||e.key==='End'){go(e.key==='End'?s.length:-s.length);"
+    "e.preventDefault()}"
+    "else if(e.key==='Escape')end()});on=location.hash==='#slides';show()})();\n";

@@ -42,6 +42,9 @@ static int decade_of(double v)
 
 /* ---- labels ------------------------------------------------------------------------------------- */
 
+/* Room for "⁻³²⁴", the least exponent of a double. */
+#define RAISED 16
+
 static void raised(int exponent, char *text, size_t size)
 {
     static const char *const digit[10] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
@@ -56,7 +59,7 @@ static void raised(int exponent, char *text, size_t size)
 
 void vm_exponent_text(int exponent, char text[40])
 {
-    char power[32];
+    char power[RAISED];
     raised(exponent, power, sizeof power);
     snprintf(text, 40, "×10%s", power);
 }
@@ -129,7 +132,7 @@ static void put(struct vm_ticks *ticks, int m, int k, bool plain)
         return;
     struct vm_tick *tick = &ticks->major[ticks->count++];
     tick->at = scaled(m, k);
-    char power[32];
+    char power[RAISED];
     raised(k, power, sizeof power);
     if (plain)
         decimal(m, k, tick->label, sizeof tick->label);

@@ -58,7 +58,7 @@ spin=$programs/spin.df
 square=$programs/square.oct
 
 # ---- help ---------------------------------------------------------------------------------------
-for sub in run capture asm disasm trace list compare measure; do
+for sub in run capture asm disasm trace list compare measure sweep probe why lesson calc; do
     "$KINESCOPE" $sub --help >"$work/help" 2>"$work/err"
     status=$?
     grep -q "^Examples:" "$work/help" && grep -q "kinescope $sub " "$work/help" && [ $status -eq 0 ] &&

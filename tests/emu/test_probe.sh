@@ -105,6 +105,8 @@ report $? "JSON is JSON"
 works "fast enough for a stroboscopic measure" dot.df --at 512,512 --phosphor P31 --refresh 100
 value svm | grep -q '^[0-9.]*$'
 report $? "which is then a number"
+near "that of all harmonics up to 2 kHz" svm "$("$KINESCOPE" sweep --phosphors P31 --rates 100 --field 30 --csv - |
+    awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "svm") column = i } END { print $column }')" 1e-4
 
 # ---- samples ----------------------------------------------------------------------------------------
 
