@@ -147,8 +147,9 @@ void crt_tube_look_at_planes(const struct crt_tube *tube, double x_mm, double y_
 {
     double col, row, across[TAPS], down[TAPS];
     crt_mm_to_cell(&tube->desc.grid, x_mm, y_mm, &col, &row);
-    if (!(fabs(col) < 1e6 && fabs(row) < 1e6))
-        return;
+    if (!(col > -TAPS && col < tube->planes.cols + TAPS && row > -TAPS &&
+          row < tube->planes.rows + TAPS))
+        return; /* no cell within reach */
     int left = taps(col, across), top = taps(row, down);
     double since = crt_seconds(tube->begin, t);
     for (int k = 0; k < tube->planes.count; k++) {

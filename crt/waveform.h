@@ -42,7 +42,8 @@ void crt_waveform_harmonics(struct crt_photodiode *diode, uint64_t t0, uint64_t 
 
 /* How often the light repeats at that place: the rate at which deposits of the same source come again in the same
  * order, as the median of their intervals over the window, weighted by light; else, in a picture that changes, at which
- * any of the same source do. 0 when nothing comes again. Interlaced lines come again after two fields. */
+ * any of the same source do. 0 when nothing comes again. Interlaced lines come again after two fields.
+ * Light of a single source at irregular intervals is not told apart: many of them together are even enough. */
 double crt_waveform_repeats_hz(const struct crt_photodiode *diode, uint64_t t0, uint64_t t1);
 
 /* Luminances, all colours, at n instants t0 + i·(t1 − t0)/n, rounded to ps. */

@@ -172,9 +172,14 @@ static int print_texts(const struct asked *a, struct crt_error *err)
 static bool make_folder(const char *path, struct crt_error *err)
 {
     struct stat status;
-    if (mkdir(path, 0777) == 0 || (stat(path, &status) == 0 && S_ISDIR(status.st_mode)))
+    if (mkdir(path, 0777) == 0)
         return true;
-    return crt_fail(err, "the folder %.300s cannot be made: %s", path, strerror(errno));
+    int why = errno;
+    bool there = stat(path, &status) == 0;
+    if (there && S_ISDIR(status.st_mode))
+        return true;
+    return there ? crt_fail(err, "%.300s is no folder; name another one", path)
+                 : crt_fail(err, "the folder %.300s cannot be made: %s", path, strerror(why));
 }
 
 static bool prepare_out(struct asked *a, struct vm_lesson_results *results, struct crt_error *err)
@@ -375,8 +380,8 @@ const struct vm_command vm_command_lesson = {
     "[NAME|all|FILE.lesson] [-o DIR | --live]",
     "Lessons on refresh and flicker: print them, run them into a page, or show them live",
     "A lesson is captions and a script in one text file. With -o its commands are run, what it "
-    "claims is "
-    "measured, and pictures, plots, tables and one page that opens offline anywhere are written. "
+    "claims is measured, and pictures, plots, tables and one page that opens offline anywhere are "
+    "written. "
     "Exit status 1 when a command fails or something does not hold that the lesson expects. How to "
     "write one: roms/" FOLDER "/LESSONS.md.",
     "  kinescope lesson                               the list\n"

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "emu/command.h"
+#include "emu/json_out.h"
 #include "emu/resolution.h"
 #include "emu/settings.h"
 
@@ -167,9 +168,11 @@ static void print_number_or_null(double v)
 
 static void print_json(const struct subject *s)
 {
-    printf("{\"tube\": \"%s\", \"mode\": ", s->row.name);
+    printf("{\"tube\": ");
+    vm_json_text(stdout, s->row.name);
+    printf(", \"mode\": ");
     if (s->mode[0])
-        printf("\"%s\"", s->mode);
+        vm_json_text(stdout, s->mode);
     else
         printf("null");
     printf(", \"width_mm\": %.6g, \"height_mm\": %.6g, \"diagonal_inch\": %.6g, \"dots\": [%.0f, "

@@ -137,8 +137,9 @@ const struct vm_command vm_command_run = {
     "to the program. A file that changes is loaded again; a file dropped on the window is shown. "
     "A monitor of 60 Hz cannot show flicker of 60 Hz and more as on the tube: slow motion (F7) and "
     "the "
-    "oscilloscope (F4) can; of pictures that flash 3 to 30 times a second a message warns, and "
-    "--no-flash shows them steady.",
+    "oscilloscope (F4) can. Where refresh makes the window flash 3 to 30 times a second a message "
+    "warns (of what blinks in a program by itself it does not), and --no-flash shows the mean "
+    "light.",
     "  kinescope run\n"
     "  kinescope run --tour\n"
     "  kinescope run --headless --console < script\n"

@@ -318,6 +318,10 @@ static void redraw(struct vm_hud *hud)
         vm_hud_draw_marks(hud);
     for (int i = 0; i < 2 && !hud->slide.whole; i++)
         draw_side(hud, i);
+    if (hud->help_shown && hud->help_side != VM_HUD_MIDDLE) {
+        draw_help(hud);
+        return;
+    }
     if (hud->status[0])
         bottom = draw_text_panel(hud, VM_PANEL_STATUS, hud->status, bottom, VM_HUD_LEVELS);
     if (hud->message[0] && hud->message_level > 0)

@@ -40,14 +40,13 @@ void vm_hud_message(struct vm_hud *hud, const char *text, double now, double sec
 /* The help panel. A line "KEY\tmeaning" is set in two columns, a line without a tab is a heading.
  */
 void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_t line_count);
-/* Where the panel lies from now on. */
+/* Where the panel lies from now on; at the edges alone, without status and message. */
 enum vm_hud_side { VM_HUD_MIDDLE, VM_HUD_TOP, VM_HUD_BOTTOM };
 void vm_hud_help_side(struct vm_hud *hud, enum vm_hud_side side);
 bool vm_hud_help_shown(const struct vm_hud *hud);
 
 /* Marks, window pixels from the top left; radius 0: none. What a light pen sees is a circle, the place of the
- * beam a cross with an open middle, a photodiode
- * and a place asked about both. */
+ * beam a cross with an open middle, a photodiode and a place asked about both. */
 enum vm_hud_mark {
     VM_MARK_PEN,
     VM_MARK_BEAM,

@@ -23,7 +23,7 @@
  *             is done; its registers show what the word leads to from its fetch on.
  * Refresh:    emu/refresh.h. Refreshes are counted from 1 as they end. Of a program that uses the
  *             raster head and has never started the display processor, a refresh is a frame.
- * Ownership:  the caller owns the struct (290 KiB: not for small stacks); board, console, tubes and
+ * Ownership:  the caller owns the struct (303 KiB: not for small stacks); board, console, tubes and
  *             what the desc points at must outlive it. Allocates nothing.
  * Errors:     vm_machine_load: one sentence. Guest trouble is a state of the display processor or
  *             the processor (emu/trouble.h puts it into words).
@@ -192,6 +192,9 @@ void vm_machine_turn(struct vm_machine *m, enum inp_screen screen, struct crt_kn
 /* Head units to tube millimetres: the vector head's units, or the raster head's dots from the top left. */
 void vm_machine_place(const struct vm_machine *m, enum inp_screen head, double x, double y,
                       double *x_mm, double *y_mm);
+/* The other way. */
+void vm_machine_units(const struct vm_machine *m, enum inp_screen head, double x_mm, double y_mm,
+                      double *x, double *y);
 
 /* A copy that goes on alone, without tubes and console: for looking ahead. `copy` need not be
  * initialised; vm_machine_forget frees its board and refresh buffer. False: out of memory. */

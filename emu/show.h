@@ -168,9 +168,10 @@ struct vm_show {
     double speed, speed_since; /* measured: simulated seconds a second */
     uint64_t speed_from;
 
-    uint64_t shutter; /* ps; 0: the time that a picture stands for */
-    bool gain_auto;   /* goes down as exposures get short */
-    int gain;         /* power of two, when not */
+    uint64_t shutter;       /* ps; 0: the time that a picture stands for */
+    bool gain_auto;         /* goes down as exposures get short: */
+    int gain_now[VM_HEADS]; /* to that power of two, by now */
+    int gain;               /* power of two, when not automatic */
 
     struct vm_scope scope;
     bool why_shown; /* a panel that any key closes, about a place */
@@ -270,8 +271,9 @@ void vm_show_say_shutter(struct vm_show *show);
 void vm_show_describe_shutter(uint64_t shutter, char *text, size_t size);
 /* The head looked at on the left side, of two the vector head. */
 int vm_show_main_head(const struct vm_show *show);
-/* Of what a head shows: a power of two; as "x1/32". */
+/* Of what a head shows: a power of two; as "x1/32". After each picture gain follows it. */
 int vm_show_gain(const struct vm_show *show, int head);
+void vm_show_follow_gain(struct vm_show *show);
 void vm_show_describe_gain(int gain, char *text, size_t size);
 void vm_show_toggle_gain(struct vm_show *show);
 void vm_show_turn_gain(struct vm_show *show, int direction);
@@ -312,8 +314,9 @@ void vm_show_scope_close(struct vm_show *show);
 /* Beside the screenshot `name` (without .png): the plot and the figures. */
 bool vm_show_scope_save(struct vm_show *show, const char *name, struct crt_error *err);
 
-/* show_why.c: a click with Right Ctrl, or what closes its panel: true. */
+/* show_why.c: a click with Right Ctrl, or a key of the program's that only closes its panel: true. */
 bool vm_show_why_event(struct vm_show *show, const struct vm_event *event);
+void vm_show_why_close(struct vm_show *show);
 void vm_show_mark_asked(struct vm_show *show);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);

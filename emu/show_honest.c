@@ -5,11 +5,12 @@
 #include "emu/show.h"
 
 #define USUAL_HZ 60.0 /* of a monitor that does not tell */
-#define WARN_LOW                                                                                   \
-    3.0 /* Hz: flashes that may set off seizures (WCAG 2.2, 2.3.1: more than three a second; most */
-#define WARN_HIGH                                                                                  \
-    30.0 /* photosensitive people react to 15 to 25 Hz: Fisher et al., Epilepsia 46 (2005) 1426 */
-#define WARN_PART 0.1 /* amplitude over the mean, as in WCAG's definition of a flash */
+/* Hz: flashes that may set off seizures. WCAG 2.2, 2.3.1: more than three a second; most photosensitive people
+ * react to 15 to 25 Hz (Fisher et al., Epilepsia 46 (2005) 1426). */
+#define WARN_LOW  3.0
+#define WARN_HIGH 30.0
+/* Amplitude over the mean, as in WCAG's definition of a flash. */
+#define WARN_PART 0.1
 #define HARMONICS 8
 #define WELCOME_S 9.0
 #define WARNING_S 15.0
@@ -57,7 +58,8 @@ double vm_show_flash_hz(const struct crt_phosphor *phosphor, double refresh_hz, 
     return 0;
 }
 
-/* How often a point of the head's screen is lit, as a rule; 0: not known. Two fields of interlaced lines lie so
+/* How often a point of the head's screen is lit, as a rule, by refresh: that a program blinks is not seen
+ * beforehand; 0: not known. Two fields of interlaced lines lie so
  * close that an area is lit by each. */
 static double lit_hz(const struct vm_shown *p, int head)
 {

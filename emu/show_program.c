@@ -170,6 +170,7 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
     if (!prepare_all(show, path, tube, side, err))
         return false;
     end_record(show);
+    vm_show_why_close(show);
     vm_show_scope_close(show);
     show->begins = false;
     for (int i = 0; i < VM_SIDES; i++) {
@@ -239,6 +240,7 @@ void vm_show_reload(struct vm_show *show, bool force)
         vm_hud_message(show->hud, err.text, vm_window_time(), 20);
         return;
     }
+    vm_show_why_close(show);
     vm_input_free(&show->program->input);
     show->program->input = input;
     note_time(show);

@@ -43,7 +43,6 @@ void vm_show_scope_close(struct vm_show *show)
 static bool put_on(struct vm_show *show, struct crt_error *err)
 {
     struct vm_scope *s = &show->scope;
-    struct crt_screen screen;
     struct vm_probe_place place = {.head = s->head,
                                    .kind = s->kind,
                                    .area_mm = DISC_MM,
@@ -51,14 +50,7 @@ static bool put_on(struct vm_show *show, struct crt_error *err)
                                    .x_mm = s->x_mm,
                                    .y_mm = s->y_mm};
     struct vm_rig *rig = &show->side[s->side]->rig;
-    const struct vm_machine *m = rig->machine;
-    screen = m->dpu.desc.screen;
-    if (s->head == VM_RASTER)
-        screen = (struct crt_screen){m->raster.desc.width_mm, m->raster.desc.height_mm,
-                                     m->raster.timing.h.visible, m->raster.timing.v.visible};
-    crt_mm_to_units(&screen, s->x_mm, s->y_mm, &place.x, &place.y);
-    if (s->head == VM_RASTER)
-        place.y = screen.units_y - 1 - place.y;
+    vm_machine_units(rig->machine, (enum inp_screen)s->head, s->x_mm, s->y_mm, &place.x, &place.y);
     take_off(s);
     return vm_probe_open(&s->probe, rig, &place, err);
 }

@@ -1,4 +1,4 @@
-/* show_step.c — stepping by an instruction, a display word or a refresh, in both directions. */
+/* show_step.c — stepping in both directions: by a refresh, a display word, an instruction, a stroke, a scan line. */
 #include <stdio.h>
 
 #include "emu/cpu/rv_disasm.h"
@@ -79,15 +79,12 @@ static bool forward(struct vm_show *show, struct crt_error *err)
 /* The oscilloscope sees the refreshes. */
 static void run_watched(struct vm_show *show, struct vm_shown *p, uint64_t until)
 {
+    struct vm_scope *scope = &show->scope;
     struct vm_machine *m = p->rig.machine;
-    if (!show->scope.placed || show->side[show->scope.side] != p) {
+    if (scope->probe.diode && show->side[scope->side] == p)
+        vm_probe_run(&scope->probe, m, until);
+    else
         vm_machine_run(m, until > m->now ? until : m->now);
-        return;
-    }
-    while (m->now < until && vm_machine_run_refresh(m, until))
-        vm_show_scope_watch(show);
-    if (m->now < until)
-        vm_machine_run(m, until);
 }
 
 /* Goes to `place`, which is past or present, once more, with the light of the shutter's time, or
@@ -176,12 +173,19 @@ static void say_place(struct vm_show *show)
     vm_show_say(show, text);
 }
 
+static bool remembered(const struct vm_show *show)
+{
+    bool all = true;
+    for (int i = 0; i < show->sides; i++)
+        all &= show->side[i]->history != NULL;
+    return all;
+}
+
 void vm_show_look_again(struct vm_show *show)
 {
-    struct vm_shown *p = show->program;
-    const struct place place = place_of(p);
+    const struct place place = place_of(show->program);
     struct crt_error err;
-    if (show->paused && p->history && !expose(show, &place, &err))
+    if (show->paused && remembered(show) && !expose(show, &place, &err))
         vm_show_say(show, err.text);
 }
 
@@ -191,7 +195,7 @@ void vm_show_step(struct vm_show *show, int direction)
     struct crt_error err;
     show->paused = true;
     show->speed_since = 0;
-    if (!p->history) {
+    if (!remembered(show)) {
         vm_show_say(show, p->input.is_recording ? "a recording has nothing to step by"
                                                 : "there is no memory to remember the run");
         return;

@@ -84,8 +84,10 @@ static void ask(struct vm_show *show, double x, double y)
     vm_why_free(&why);
 }
 
-static void close_panel(struct vm_show *show)
+void vm_show_why_close(struct vm_show *show)
 {
+    if (!show->why_shown)
+        return;
     show->why_shown = false;
     vm_hud_help(show->hud, false, NULL, 0);
     vm_hud_help_side(show->hud, VM_HUD_MIDDLE);
@@ -99,11 +101,11 @@ bool vm_show_why_event(struct vm_show *show, const struct vm_event *event)
     bool asks = event->kind == VM_EVENT_BUTTON && event->u.button.chord;
     if (!asks && !(show->why_shown && pressed))
         return false;
-    if (show->why_shown && pressed)
-        close_panel(show);
+    if (pressed)
+        vm_show_why_close(show);
     if (asks && pressed)
         ask(show, event->x, event->y);
-    return asks || key;
+    return asks || event->kind == VM_EVENT_GUEST_KEY;
 }
 
 void vm_show_mark_asked(struct vm_show *show)

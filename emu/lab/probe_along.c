@@ -1,6 +1,7 @@
 /* probe_along.c — probe --along: the mean luminance along a line, as JSON, CSV and a plot. */
 #include <math.h>
 
+#include "emu/json_out.h"
 #include "emu/lab/probe_parts.h"
 #include "emu/lab/profile.h"
 #include "emu/out_file.h"
@@ -24,36 +25,26 @@ static void lead_in(struct along *a, struct vm_machine *m)
     }
 }
 
-static void number(const char *name, double value)
-{
-    printf(",\n \"%s\": ", name);
-    vm_probe_number(stdout, value);
-}
-
 static void print_json(const struct along *a)
 {
     const struct vm_profile_figures *f = &a->figures;
-    char from[VM_SECONDS_TEXT], to[VM_SECONDS_TEXT];
-    vm_probe_seconds(a->job->from, from);
-    vm_probe_seconds(a->job->to, to);
     fputs("{\"program\": ", stdout);
-    vm_probe_text(stdout, a->job->input.name);
-    fputs(",\n \"tube\": ", stdout);
-    vm_probe_text(stdout, a->monitor->row.name);
-    fputs(",\n \"phosphor\": ", stdout);
-    vm_probe_text(stdout, a->monitor->phosphor.name);
-    printf(",\n \"from_s\": %s,\n \"to_s\": %s", from, to);
-    number("length_mm", f->length_mm);
-    number("mean_cd_m2", f->mean_cd_m2);
-    number("least_cd_m2", f->least_cd_m2);
-    number("crest_cd_m2", f->crest_cd_m2);
-    number("crest_mm", f->crest_mm);
+    vm_json_text(stdout, a->job->input.name);
+    vm_probe_put_text(stdout, "tube", a->monitor->row.name);
+    vm_probe_put_text(stdout, "phosphor", a->monitor->phosphor.name);
+    vm_probe_put_seconds(stdout, "from_s", a->job->from);
+    vm_probe_put_seconds(stdout, "to_s", a->job->to);
+    vm_probe_put_number(stdout, "length_mm", f->length_mm);
+    vm_probe_put_number(stdout, "mean_cd_m2", f->mean_cd_m2);
+    vm_probe_put_number(stdout, "least_cd_m2", f->least_cd_m2);
+    vm_probe_put_number(stdout, "crest_cd_m2", f->crest_cd_m2);
+    vm_probe_put_number(stdout, "crest_mm", f->crest_mm);
     printf(",\n \"crests\": %d", f->crests);
-    number("width60_mm", f->width60_mm);
-    number("width50_mm", f->width50_mm);
-    number("dip_cd_m2", f->dip_cd_m2);
-    number("dip_modulation", f->dip_modulation);
-    number("apart_mm", f->apart_mm);
+    vm_probe_put_number(stdout, "width60_mm", f->width60_mm);
+    vm_probe_put_number(stdout, "width50_mm", f->width50_mm);
+    vm_probe_put_number(stdout, "dip_cd_m2", f->dip_cd_m2);
+    vm_probe_put_number(stdout, "dip_modulation", f->dip_modulation);
+    vm_probe_put_number(stdout, "apart_mm", f->apart_mm);
     puts("}");
 }
 

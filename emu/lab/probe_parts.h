@@ -62,8 +62,10 @@ void vm_probe_seconds(uint64_t ps, char text[VM_SECONDS_TEXT]);
 /* As many digits as a float has; "null" where it is no number. */
 void vm_probe_number(FILE *out, double value);
 
-/* The text as a JSON string. */
-void vm_probe_text(FILE *out, const char *text);
+/* A member of a JSON object, on a line of its own after others. */
+void vm_probe_put_text(FILE *out, const char *name, const char *value);
+void vm_probe_put_number(FILE *out, const char *name, double value);
+void vm_probe_put_seconds(FILE *out, const char *name, uint64_t ps);
 
 /* Whether CSV or plot go to standard output, where figures would be in their way. */
 bool vm_probe_to_stdout(const struct vm_probe_options *options);

@@ -1,28 +1,12 @@
 /* why_json.c — an answer as one JSON object. */
-#include <string.h>
-
 #include "emu/cpu/rv_disasm.h"
+#include "emu/json_out.h"
 #include "emu/lab/why_entries.h"
 #include "emu/lab/why_words.h"
 
 static double seconds(uint64_t ps)
 {
     return (double)ps / (double)CRT_PS_PER_S;
-}
-
-static void string(FILE *out, const char *text)
-{
-    fputc('"', out);
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        if (c == '"' || c == '\\')
-            fprintf(out, "\\%c", c);
-        else if (c < ' ')
-            fprintf(out, "\\u%04x", c);
-        else
-            fputc(c, out);
-    }
-    fputc('"', out);
 }
 
 static void code(FILE *out, const struct vm_why_names *names, uint32_t pc)
@@ -34,12 +18,12 @@ static void code(FILE *out, const struct vm_why_names *names, uint32_t pc)
     fprintf(out, "\"pc\": \"%08x\"", (unsigned)pc);
     if (symbol) {
         fprintf(out, ", \"symbol\": ");
-        string(out, symbol);
+        vm_json_text(out, symbol);
         fprintf(out, ", \"offset\": %u", (unsigned)offset);
     }
     if (file) {
         fprintf(out, ", \"file\": ");
-        string(out, file);
+        vm_json_text(out, file);
         fprintf(out, ", \"line\": %d", line);
     }
 }
@@ -55,7 +39,7 @@ static void store(FILE *out, const struct vm_why_names *names, const struct vm_w
     code(out, names, s->pc);
     rv_disasm(s->pc, s->word, text, sizeof text);
     fprintf(out, ", \"instruction\": ");
-    string(out, text);
+    vm_json_text(out, text);
     fprintf(out, ", \"t_s\": %.12f, \"cycle\": %llu", seconds(s->t), (unsigned long long)s->cycle);
     vm_why_say_caller(names, s, text, sizeof text);
     if (text[0]) {
@@ -76,10 +60,10 @@ static void word(FILE *out, const struct vm_why_names *names, const struct vm_wh
     for (int i = 0; i < d->word.words; i++)
         fprintf(out, "%s\"%06o\"", i ? ", " : "", d->word.word[i]);
     fprintf(out, "], \"statement\": ");
-    string(out, text);
+    vm_json_text(out, text);
     if (vm_why_source_line(names, d, &file, &line)) {
         fprintf(out, ", \"file\": ");
-        string(out, file);
+        vm_json_text(out, file);
         fprintf(out, ", \"line\": %u", (unsigned)line);
     }
 }

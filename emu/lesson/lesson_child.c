@@ -21,8 +21,8 @@ static bool bind_life(pid_t parent, unsigned limit_s)
 }
 
 /* In the child: never returns. */
-static void become(const struct vm_child *child, char *const *arguments, pid_t parent,
-                   unsigned limit_s)
+static void become(const struct vm_child *child, char *const *arguments, const char *folder,
+                   pid_t parent)
 {
     static char name[] = "kinescope";
     size_t count = 0;
@@ -30,8 +30,9 @@ static void become(const struct vm_child *child, char *const *arguments, pid_t p
         count++;
     char **argv = calloc(count + 2, sizeof *argv);
     int nothing = open("/dev/null", O_RDONLY);
-    if (argv && nothing >= 0 && bind_life(parent, limit_s) && dup2(nothing, 0) == 0 &&
-        dup2(fileno(child->out), 1) == 1 && dup2(fileno(child->complaints), 2) == 2) {
+    if (argv && nothing >= 0 && bind_life(parent, child->limit_s) && chdir(folder) == 0 &&
+        dup2(nothing, 0) == 0 && dup2(fileno(child->out), 1) == 1 &&
+        dup2(fileno(child->complaints), 2) == 2) {
         argv[0] = name;
         memcpy(argv + 1, arguments, count * sizeof *argv);
         execv(SELF, argv);
@@ -48,8 +49,8 @@ static FILE *open_private(void)
     return file;
 }
 
-bool vm_child_start(struct vm_child *child, char *const *arguments, unsigned limit_s,
-                    struct crt_error *err)
+bool vm_child_start(struct vm_child *child, char *const *arguments, const char *folder,
+                    unsigned limit_s, struct crt_error *err)
 {
     pid_t parent = getpid();
     *child = (struct vm_child){.limit_s = limit_s};
@@ -59,7 +60,7 @@ bool vm_child_start(struct vm_child *child, char *const *arguments, unsigned lim
     if (child->out && child->complaints)
         child->pid = fork();
     if (child->out && child->complaints && child->pid == 0)
-        become(child, arguments, parent, limit_s);
+        become(child, arguments, folder, parent);
     if (child->pid > 0)
         return true;
     crt_fail(err, "the command cannot be started: %s", strerror(errno));

@@ -20,9 +20,9 @@ struct vm_child {
     unsigned limit_s;
 };
 
-/* `arguments`: the subcommand and what follows, NULL at the end. It may take `limit_s`; 0: as long as it wants. */
-bool vm_child_start(struct vm_child *child, char *const *arguments, unsigned limit_s,
-                    struct crt_error *err);
+/* `arguments`: the subcommand and what follows, NULL at the end. It runs in `folder`, and may take `limit_s`; 0: as long as it wants. */
+bool vm_child_start(struct vm_child *child, char *const *arguments, const char *folder,
+                    unsigned limit_s, struct crt_error *err);
 
 /* Of a child that has ended with `status` of waitpid: all that it printed, or NULL and the sentence it
  * complained with. */

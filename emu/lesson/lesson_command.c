@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "emu/options.h"
 
@@ -203,16 +202,6 @@ static bool put_path(struct vm_words *words, int i, const char *name, const char
     return true;
 }
 
-/* A file with a dot in its name, beside the lesson. */
-static bool beside(const char *folder, const char *name)
-{
-    char path[PATH];
-    struct stat status;
-    int n = snprintf(path, sizeof path, "%s/%s", folder, name);
-    return strchr(name, '.') && n > 0 && n < PATH && stat(path, &status) == 0 &&
-           S_ISREG(status.st_mode);
-}
-
 static bool place_word(struct vm_words *words, int i, const struct vm_lesson_places *places,
                        struct crt_error *err)
 {
@@ -223,9 +212,7 @@ static bool place_word(struct vm_words *words, int i, const struct vm_lesson_pla
         return put_path(words, i, result, places->out, result, err);
     if (strncmp(name, "roms/", 5) == 0)
         return put_path(words, i, name, places->roms, name + 5, err);
-    if (name[0] == '/' || name[0] == '-' || !beside(places->lesson, name))
-        return true;
-    return put_path(words, i, name, places->lesson, name, err);
+    return true;
 }
 
 bool vm_lesson_command_start(const struct vm_lesson_line *line,

@@ -29,13 +29,12 @@ const char *vm_lesson_command_ending(enum vm_lesson_word word, const char *text)
 /* As typed, malloced: "kinescope …", with the options that are added. */
 char *vm_lesson_command_shown(const struct vm_lesson_line *line, bool projector);
 
-/* Where things are when a command is started; all paths absolute. */
+/* Where things are when a command is started; both absolute. */
 struct vm_lesson_places {
-    const char *roms;   /* what roms/ means */
-    const char *lesson; /* the folder of the lesson's file */
-    const char *out;    /* where results go */
+    const char *roms; /* what roms/ means */
+    const char *out;  /* where results go */
 };
-/* The words to start it with; to be freed also when it fails. */
+/* The words to start it with, in the folder of the lesson's file; to be freed also when it fails. */
 bool vm_lesson_command_start(const struct vm_lesson_line *line,
                              const struct vm_lesson_places *places, bool projector,
                              struct vm_words *words, struct crt_error *err);

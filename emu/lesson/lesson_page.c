@@ -187,9 +187,9 @@ static bool put_check(const struct page *p, int i)
     const char *name = says ? "the output" : *expect.label ? expect.label : expect.key;
     fputs("<tr><th scope=\"row\">", p->out);
     vm_html_text(p->out, name);
-    fputs("</th><td>measured ", p->out);
+    fputs(says ? "</th><td>" : "</th><td>measured ", p->out);
     vm_html_text(p->out, o.measured);
-    fputs("</td><td>expected ", p->out);
+    fputs(says ? "</td><td>expected the words " : "</td><td>expected ", p->out);
     vm_html_text(p->out, o.expected);
     fprintf(p->out, "</td><td class=\"%s\">%s</td></tr>\n", o.holds ? "good" : "bad",
             o.holds ? "✓ holds" : "✗ does not hold");

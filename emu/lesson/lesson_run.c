@@ -93,11 +93,11 @@ static void start(struct runner *r, int lesson, int line)
     struct vm_words words = {.count = 0};
     struct crt_error why;
     char *folder = folder_of(l->path);
-    struct vm_lesson_places places = {r->how->roms, folder ? folder : "/", results->folder};
+    struct vm_lesson_places places = {r->how->roms, results->folder};
     show_progress(r, l, l->line[line].step);
     *job = (struct job){.lesson = lesson, .line = line};
     if (vm_lesson_command_start(&l->line[line], &places, r->how->projector, &words, &why) &&
-        vm_child_start(&job->child, words.item, r->how->limit_s, &why))
+        vm_child_start(&job->child, words.item, folder ? folder : "/", r->how->limit_s, &why))
         r->running++;
     else
         fail(r, lesson, line, why.text);

@@ -22,6 +22,7 @@ const char vm_lesson_style[] =
     "gap:0 1.2rem}.row figure{margin:.6rem 0}\n"
     ".scroll{overflow-x:auto}\n"
     "pre,code{font-family:'DejaVu Sans Mono',Menlo,Consolas,monospace;font-size:.82em}\n"
+    "pre code{font-size:.92em}"
     "pre{background:var(--soft);padding:.6rem .8rem;margin:.5rem "
     "0;overflow-x:auto;line-height:1.35}\n"
     "pre.type{white-space:pre-wrap;overflow-wrap:anywhere;border-left:4px solid var(--link)}\n"

@@ -24,30 +24,9 @@ static inline uint32_t canvas_repeated(const struct canvas *c, uint32_t colour)
     return colour;
 }
 
-/* The bits of a byte under `mask`. */
-static inline void fill_part(uint8_t *at, unsigned mask, uint32_t word)
-{
-    *at = (uint8_t)((*at & ~mask) | (word & mask));
-}
-
-/* Pixels smaller than a byte fill it from its high bits on. */
-static inline void fill_row_small(const struct canvas *c, uint8_t *row, int x0, int x1,
-                                  uint32_t word)
-{
-    uint32_t from = (uint32_t)x0 * c->bits, to = (uint32_t)x1 * c->bits;
-    uint8_t *first = row + from / 8, *last = row + to / 8;
-    unsigned head = 0xFFu >> from % 8, tail = 0xFFu & ~(0xFFu >> to % 8);
-    if (first == last) {
-        if (head & tail)
-            fill_part(first, head & tail, word);
-        return;
-    }
-    if (head != 0xFF)
-        fill_part(first++, head, word);
-    fill_run_bytes(first, last, word);
-    if (tail != 0)
-        fill_part(last, tail, word);
-}
+/* Pixels smaller than a byte fill it from its high bits on. Not inline: what is inline around it would save more
+ * registers for it than short rows are long. */
+void canvas_fill_small(const struct canvas *c, uint8_t *row, int x0, int x1, uint32_t word);
 
 /* Pixels x0 to x1 of a row. */
 static inline void fill_row(const struct canvas *c, uint8_t *row, int x0, int x1, uint32_t word)
@@ -59,7 +38,7 @@ static inline void fill_row(const struct canvas *c, uint8_t *row, int x0, int x1
     else if (c->bits == 16)
         fill_run_halves((uint16_t *)(void *)row + x0, (uint16_t *)(void *)row + x1, word);
     else
-        fill_row_small(c, row, x0, x1, word);
+        canvas_fill_small(c, row, x0, x1, word);
 }
 
 #endif

@@ -11,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "emu/json_out.h"
 #include "emu/lesson/lesson.h"
 #include "emu/lesson/lesson_command.h"
 #include "emu/lesson/lesson_results.h"
@@ -85,6 +86,7 @@ static void mistakes_have_a_line(void **state)
         {HEAD "step a A\nplot probe x\nexpect c1\n", 6, "what is expected is missing"},
         {HEAD "step a A\nplot probe x\nexpect c1 0.5\n", 6, "neither a range"},
         {HEAD "step a A\nplot probe x\nexpect c1 2..1\n", 6, "is empty"},
+        {HEAD "step a A\nplot probe x\nexpect c1 10..20ms\n", 6, "each end has its own unit"},
         {HEAD "step a A\nplot probe x\nexpect c1 1..2q\n", 6, "range of two numbers"},
         {HEAD "step a A\nplot probe x\nexpect {c1} 1..2\n", 6, "without braces"},
         {HEAD "step a A\nplot probe x\nexpect c1 < much\n", 6, "neither a number"},
@@ -180,6 +182,39 @@ static void a_lesson_is_read(void **state)
     vm_lesson_free(&l);
 }
 
+static void a_lesson_is_called_as_its_file(void **state)
+{
+    static const struct {
+        const char *path, *name;
+    } cases[] = {{"a/decay.lesson", "decay"},
+                 {"My_First lesson.lesson", "my-first-lesson"},
+                 {"../_x.lesson", "x"},
+                 {"\xc3\xa9.lesson", "lesson"},
+                 {".lesson", "lesson"},
+                 {"a234567890123456789012345678901234567890123.lesson",
+                  "a23456789012345678901234567890123456789"}};
+    (void)state;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        static const char text[] = HEAD "step a A\n";
+        struct vm_lesson l;
+        struct crt_error err;
+        assert_true(vm_lesson_read(&l, cases[i].path, text, strlen(text), &err));
+        assert_string_equal(l.name, cases[i].name);
+        vm_lesson_free(&l);
+    }
+}
+
+/* Not into the text of the lesson itself, which is called as the lesson is. */
+static void a_step_called_as_the_lesson_has_its_own_file(void **state)
+{
+    struct vm_lesson l;
+    struct crt_error err;
+    (void)state;
+    assert_true(read_text(&l, HEAD "step my A\ntable calc refresh\n", &err));
+    assert_string_equal(l.line[l.step[0].first].file, "my-2.txt");
+    vm_lesson_free(&l);
+}
+
 /* Writes the lesson again, a line each. */
 static void write_again(const struct vm_lesson *l, char *text)
 {
@@ -255,7 +290,7 @@ static void join(const struct vm_words *words, char *text)
 
 static void commands_are_started_elsewhere(void **state)
 {
-    static const struct vm_lesson_places places = {"/k/roms", "/nowhere", "/out/my"};
+    static const struct vm_lesson_places places = {"/k/roms", "/out/my"};
     static const struct {
         const char *text, *started, *shown;
     } cases[] = {
@@ -329,6 +364,60 @@ static void json_is_read(void **state)
     memset(deep + 5, '[', 60);
     assert_false(vm_figures_read(&f, deep, &err));
     vm_figures_free(&f);
+}
+
+/* All that can be in a text but control characters, which are read as spaces. */
+static void texts_are_printed_as_json(void **state)
+{
+    char text[60], read[60], json[500];
+    (void)state;
+    random_state = 11;
+    for (int n = 0; n < 300; n++) {
+        struct vm_figures f;
+        struct crt_error err;
+        size_t length = next_random(sizeof text);
+        for (size_t i = 0; i < length; i++) {
+            text[i] = (char)(1 + next_random(255));
+            if (next_random(3) == 0)
+                text[i] = "\"\\\n/"[next_random(4)];
+            read[i] = (unsigned char)text[i] < ' ' ? ' ' : text[i];
+        }
+        text[length] = read[length] = '\0';
+        FILE *out = fmemopen(json, sizeof json, "w");
+        assert_non_null(out);
+        fputs("{\"t\": ", out);
+        vm_json_text(out, text);
+        fputs("}", out);
+        fclose(out);
+        for (const char *p = json; *p; p++)
+            assert_true((unsigned char)*p >= ' ');
+        if (!vm_figures_read(&f, json, &err))
+            fail_msg("%s", err.text);
+        assert_string_equal(vm_figures_find(&f, "t")->text, read);
+        vm_figures_free(&f);
+    }
+}
+
+/* Of UTF-8 whole characters are left. */
+static void long_texts_are_cut(void **state)
+{
+    (void)state;
+    for (size_t before = 0; before < 4; before++) {
+        char json[1000] = "{\"t\": \"";
+        struct vm_figures f;
+        struct crt_error err;
+        for (size_t i = 0; i < before; i++)
+            strcat(json, "x");
+        for (size_t i = 0; i < 150; i++)
+            strcat(json, "\xe2\x82\xac");
+        strcat(json, "\"}");
+        assert_true(vm_figures_read(&f, json, &err));
+        const char *text = vm_figures_find(&f, "t")->text;
+        size_t n = strlen(text);
+        assert_true(n > 240 && n < 256 && (n - before) % 3 == 0);
+        assert_memory_equal(text, json + 7, n);
+        vm_figures_free(&f);
+    }
 }
 
 static void figures_are_formatted(void **state)
@@ -447,9 +536,13 @@ int main(void)
         cmocka_unit_test(mistakes_have_a_line),
         cmocka_unit_test(limits_hold),
         cmocka_unit_test(a_lesson_is_read),
+        cmocka_unit_test(a_lesson_is_called_as_its_file),
+        cmocka_unit_test(a_step_called_as_the_lesson_has_its_own_file),
         cmocka_unit_test(any_bytes_are_read_or_refused),
         cmocka_unit_test(commands_are_started_elsewhere),
         cmocka_unit_test(json_is_read),
+        cmocka_unit_test(texts_are_printed_as_json),
+        cmocka_unit_test(long_texts_are_cut),
         cmocka_unit_test(figures_are_formatted),
         cmocka_unit_test(expectations_are_checked),
         cmocka_unit_test(a_figure_that_is_missing_is_told),

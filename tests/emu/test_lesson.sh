@@ -89,7 +89,8 @@ says "as is the title" '<h1>A &lt;small&gt; lesson</h1>'
 says "figures are filled in" 'The line rate is 62.34 Hz and <code>a &lt; b</code>'
 says "what was measured is told" 'measured 62.34</td><td>expected 62 to 63</td><td class="good">✓ holds'
 says "CSV becomes a table" '<th scope="col">lp_per_mm</th>'
-says "the command can be copied" 'kinescope capture line.df --film --allow-dark -o shown.png</code>'
+sed 's/<[^>]*>//g' "$page" | grep -q '^kinescope capture line.df --film --allow-dark -o shown.png$'
+report $? "the command can be copied"
 for i in 1 2; do
     grep -o 'base64,[^"]*' "$page" | sed -n "${i}s/base64,//p" | base64 -d >"$work/$i.png"
 done
@@ -111,6 +112,8 @@ grep -q '✗ does not hold' "$work/c/false.html"
 report $? "the page shows it"
 sed 's/says refresh/says nonsense/' "$lesson" >"$work/mine/mute.lesson"
 ends "what is not said fails" 1 "$work/mine/mute.lesson" -o "$work/d"
+grep -q 'it does not say so</td><td>expected the words nonsense</td><td class="bad">✗' "$work/d/mute.html"
+report $? "the page shows that, too"
 says "it names the words" "step rate: its command does not say 'nonsense'"
 sed 's/capture line.df --film/capture missing.df --film/; s/--lines 480$/--lines -1/' "$lesson" >"$work/mine/trouble.lesson"
 ends "a command that fails" 1 "$work/mine/trouble.lesson" -o "$work/e"
@@ -118,6 +121,51 @@ says "is told with its line and sentence" 'trouble.lesson:8: capture: .*missing.
 says "and the next one, too" 'trouble.lesson:14: calc: '
 [ ! -e "$work/e/trouble.html" ]
 report $? "there is no page then"
+says "and that there is no page" 'e/trouble.html is not written because of that$'
+sed 's/--lines 480 --json/--lines 480/; s/^notes.*/notes {nothing}/' "$lesson" >"$work/mine/small2.lesson"
+ends "figures that are not there" 1 "$work/mine/small2.lesson" -o "$work/f"
+says "a command without figures is told, with its place once" '^kinescope lesson: [^:]*small2.lesson:16: the command prints no JSON'
+sed 's/^notes.*/notes {nothing} {none}/; s/^expect.*/expect lost 1..2/' "$lesson" >"$work/mine/small3.lesson"
+mkdir "$work/g"
+echo old >"$work/g/small3.html"
+ends "quoted or expected" 1 "$work/mine/small3.lesson" -o "$work/g"
+[ "$(grep -c "no figure 'lost'" "$work/said")" -eq 1 ] && [ "$(grep -c "no figure 'nothing'" "$work/said")" -eq 1 ]
+report $? "are told once, all of them"
+says "the page of before is called old" 'is not written because of that; the one that is there is of an earlier run'
+[ "$(cat "$work/g/small3.html")" = old ]
+report $? "and stays"
+
+cat >"$work/mine/My_Long.lesson" <<'END'
+title T
+summary S
+order 1
+step a A
+picture capture line.df --at 3600s --size 4000x4000 --threads 1
+END
+ends "a command that takes too long" 1 "$work/mine/My_Long.lesson" -o "$work/h" --limit 1
+says "is ended" 'My_Long.lesson:5: the command was ended, as it took longer than 1 s'
+"$kinescope" lesson "$work/mine/My_Long.lesson" -o "$work/h" >"$work/said" 2>&1 </dev/null &
+lesson_pid=$!
+sleep 0.3
+children=$(cat "/proc/$lesson_pid/task/$lesson_pid/children" 2>/dev/null)
+kill -TERM $lesson_pid
+wait $lesson_pid 2>/dev/null
+sleep 0.2
+left=0
+for child in $children; do
+    grep -q '^State:.*[ZX]' "/proc/$child/status" 2>/dev/null || [ ! -e "/proc/$child" ] || left=1
+done
+[ -n "$children" ] && [ $left -eq 0 ] && [ -z "$(ls "$work/h/my-long")" ]
+report $? "ended from outside, it leaves no command and no file behind"
+(trap '' CHLD && "$kinescope" lesson "$lesson" -o "$work/i") >"$work/said" 2>&1 </dev/null
+report $? "a caller that ignores its children does no harm"
+echo text >"$work/file"
+ends "a file in place of the folder" 1 "$lesson" -o "$work/file"
+says "is no folder" 'file is no folder'
+mkdir -p "$work/j/small.html"
+ends "a page that cannot be written" 1 "$lesson" -o "$work/j"
+[ ! -e "$work/j/small/shown.png" ]
+report $? "is told before anything is run"
 ends "a folder that cannot be made" 1 "$lesson" -o "$work/none/none"
 
 guide=$(dirname "$0")/../../roms/laboratory/LESSONS.md
