@@ -6,6 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "crt/png_file.h"
@@ -71,12 +72,36 @@ static char *folder_of(const char *path)
     return real;
 }
 
+/* Puts the folder before word `i`, or before the value in --option=value, where that names a file in there: the
+ * window stays in the folder that the command was given in, where its screenshots go. */
+static bool place_word(struct vm_words *words, int i, const char *folder, struct crt_error *why)
+{
+    char path[PATH];
+    struct stat status;
+    const char *word = words->item[i], *equals = word[0] == '-' ? strchr(word, '=') : NULL;
+    const char *name = equals ? equals + 1 : word;
+    int n = snprintf(path, sizeof path, "%s/%s", folder, name);
+    if (name[0] == '/' || name[0] == '-' || !strchr(name, '.') || n < 0 || n >= PATH ||
+        stat(path, &status) != 0 || !S_ISREG(status.st_mode))
+        return true;
+    size_t before = (size_t)(name - word), size = before + strlen(path) + 1;
+    char *placed = malloc(size);
+    if (!placed)
+        return crt_fail(why, "out of memory");
+    snprintf(placed, size, "%.*s%s", (int)before, word, path);
+    free(words->item[i]);
+    words->item[i] = placed;
+    return true;
+}
+
 static bool read_words(const struct live *l, struct live_page *p, struct crt_error *why)
 {
+    const struct vm_lesson_places places = {l->desc->run->roms, "/"};
     char *folder = folder_of(p->lesson->path);
-    const struct vm_lesson_places places = {l->desc->run->roms, folder ? folder : "/", "/"};
     bool ok =
         vm_lesson_command_start(&p->lesson->line[p->live.line], &places, false, &p->words, why);
+    for (int i = 1; ok && folder && i < p->words.count; i++)
+        ok = place_word(&p->words, i, folder, why);
     free(folder);
     return ok;
 }

@@ -33,13 +33,23 @@ report $? "a lesson that has nothing live"
 [ $? -eq 2 ] && [ ! -e x ]
 report $? "a window or a page"
 
-cat >small.lesson <<'END'
+mkdir beside
+cat >beside/own.df <<'END'
+        .tube   "VR17/P31"
+        .start  line
+line:   point   i=7 pen=off blink=off line=solid
+        at      480, 512
+        longv
+        draw    64, 0
+        sync    stop
+END
+cat >beside/small.lesson <<'END'
 title Small
 summary S
 order 1
 step rate A rate
 figures calc refresh --line-rate 31.5kHz --lines 480 --json
-live run roms/testcard.df --time-scale 0.5 --shutter 100ms --set pen=none
+live run own.df --time-scale 0.5 --shutter 100ms --set pen=none
 caption {refresh_hz:.2} Hz
 step flashing What flashes
 picture capture roms/rose.df --tube VR17/P31 --at 1s --size 200x200
@@ -49,7 +59,7 @@ flashes 8 times a second
 END
 shots=0
 open_lesson() { # OPTIONS...
-    "$KINESCOPE" lesson small.lesson --live --size 400x300 "$@" 2>>log &
+    "$KINESCOPE" lesson beside/small.lesson --live --size 400x300 "$@" 2>>log &
     viewer=$!
     until_true 30 title 'Small  1 of 2'
     report $? "the window shows page 1 of 2"
