@@ -147,7 +147,7 @@ static int plan_steps(struct vm_capture *c, struct vm_rig *rig, uint64_t moment,
 /* Runs the left side's machine through all instants, which it finds where events say them. */
 static int find_instants(struct vm_capture *c, struct vm_rig *rig, struct crt_error *err)
 {
-    uint64_t moment;
+    uint64_t moment = rig->machine->now; /* kept when there is no such moment */
     if (c->sequence && !c->step) {
         run_to(c, rig->machine, last_instant(c));
         return VM_EXIT_OK;
