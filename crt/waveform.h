@@ -42,9 +42,12 @@ void crt_waveform_harmonics(struct crt_photodiode *diode, uint64_t t0, uint64_t 
 
 /* How often the light repeats at that place: the rate at which deposits of the same source come again in the same
  * order, as the median of their intervals over the window, weighted by light; else, in a picture that changes, at which
- * any of the same source do. 0 when nothing comes again. Interlaced lines come again after two fields.
- * Light of a single source at irregular intervals is not told apart: many of them together are even enough. */
-double crt_waveform_repeats_hz(const struct crt_photodiode *diode, uint64_t t0, uint64_t t1);
+ * most of the light of the same source does. 0 when nothing comes again, as in light at random. Interlaced lines come
+ * again after two fields. `refresh_hz`, where known (above 0), is that of what draws: the pieces of one source within
+ * a refresh are no repeats then, so nothing repeats clearly faster. Not known, and a window of less than a refresh:
+ * pieces of one source at even intervals are taken for repeats. */
+double crt_waveform_repeats_hz(const struct crt_photodiode *diode, uint64_t t0, uint64_t t1,
+                               double refresh_hz);
 
 /* Luminances, all colours, at n instants t0 + i·(t1 − t0)/n, rounded to ps. */
 void crt_waveform_sample(struct crt_photodiode *diode, uint64_t t0, uint64_t t1, size_t n,

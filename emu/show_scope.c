@@ -199,8 +199,9 @@ static void describe(const struct vm_scope *s, char text[CAPTION_MAX])
     }
     put_figure(mean, f->mean_cd_m2);
     put_figure(peak, f->peak_cd_m2);
-    if (r->periods == 0) {
-        snprintf(text, CAPTION_MAX, "mean %s  peak %s cd/m2\nnot yet a whole period", mean, peak);
+    if (!r->known) {
+        snprintf(text, CAPTION_MAX, "mean %s  peak %s cd/m2\n%s: flicker not known", mean, peak,
+                 r->periods ? "the light drifts" : "not yet a whole period");
         return;
     }
     snprintf(text, CAPTION_MAX,

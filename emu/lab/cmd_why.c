@@ -1,4 +1,5 @@
 /* why — what put the light there: deposits still glowing at a place, and who drew them. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -160,6 +161,16 @@ static int judge(struct asking *a, struct vm_machine *m, struct crt_error *err)
     }
 }
 
+static bool on_the_glass(const struct asking *a, const struct vm_why_place *place,
+                         struct crt_error *err)
+{
+    const struct crt_tube_row *row = &a->settings.monitor[place->head].row;
+    return (fabs(place->x_mm) <= row->width.value / 2 + row->border.value &&
+            fabs(place->y_mm) <= row->height.value / 2 + row->border.value) ||
+           crt_fail(err, "the place %g,%g is beside the screen: %.0f, %.0f mm from its middle",
+                    a->x, a->y, place->x_mm, place->y_mm);
+}
+
 /* Runs the program in the dark to the moment. */
 static int plan(struct asking *a, struct vm_why_place *place, uint64_t *t, struct crt_error *err)
 {
@@ -176,6 +187,8 @@ static int plan(struct asking *a, struct vm_why_place *place, uint64_t *t, struc
             status = judge(a, rig.machine, err);
         if (status == VM_EXIT_OK)
             *place = vm_why_at(rig.machine, head, a->x, a->y);
+        if (status == VM_EXIT_OK && !on_the_glass(a, place, err))
+            status = VM_EXIT_TROUBLE;
     }
     vm_rig_close(&rig);
     return status;

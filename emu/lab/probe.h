@@ -5,11 +5,15 @@
  *      light over [t0, t1) ─────────────────────────┴─▶ whole periods ─▶ waveform.h, flicker.h ─▶ report
  *
  * Models:     nothing of its own. A period is what the place repeats by: that of the machine's
- *             refreshes (emu/refresh.h), or a longer one where the place is drawn more rarely. Figures are of as
+ *             refreshes (emu/refresh.h), or a longer one where the place is drawn more rarely, and differs from
+ *             refresh to refresh by more than 1 % of the mean, or by 0.1 % where that is seen. Figures are of as
  *             many whole periods as there are in the time asked for.
+ * Drift:      light that rises or falls (afterglow, a tube that has just been switched on) has harmonics that are
+ *             no flicker. Where a tenth of them or of percent flicker may be that, they are not known.
  * CFF:        of the light as measured: the phosphor's terms by their share of the mean, and for each harmonic
  *             how much of it the excitation has (1: short pulses once a period; interlaced lines that overlap
- *             have hardly a first harmonic, but a second). cff_hz is the highest over the harmonics.
+ *             have hardly a first harmonic, but a second). cff_hz is of the harmonic that is the worst: the
+ *             frequency above which that one is not seen, to be compared with its own, cff_of_hz.
  * The eye:    adapts to the mean luminance of what it looks at. The default is the mean at the place, right
  *             for a lit area; a line on a dark screen has far more than the field it lies in: give that one's.
  * Time:       picoseconds since power-on.
@@ -73,14 +77,18 @@ void vm_probe_forget(struct vm_probe *probe, uint64_t t);
 
 struct vm_probe_report {
     uint64_t t0, t1;               /* what the figures are of: whole periods, unless periods is 0 */
-    uint64_t periods;              /* 0: not even one, or nothing repeats; harmonics are NaN then */
+    uint64_t periods;              /* 0: not even one, or nothing repeats */
     double refresh_hz, repeats_hz; /* of the machine, of the place; NaN: not known */
     struct crt_waveform_figures figures;
     bool dark;    /* less than anybody sees, 1e-6 cd/m²; what follows is then 0, false or NaN */
     bool settled; /* the second half's mean is within 0.5 % of the first half's */
+    double
+        drift;  /* change of the mean over the time, in parts of it; 0 of fewer than two periods */
+    bool known; /* harmonics and what follows from them are; else they are NaN, false */
     double eye_cd_m2; /* used for what follows */
     double cff_hz;    /* Farrell, Benson, Haynie */
-    int cff_harmonic; /* the one it is of, 1… */
+    double cff_of_hz; /* of the harmonic that it is of: flickers if this is below cff_hz */
+    int cff_harmonic; /* its number, 1… */
     double cff_ferry_porter_hz;
     bool flickers; /* a harmonic is seen */
     enum crt_ieee1789 ieee;

@@ -32,6 +32,11 @@ static void print_json(const struct along *a)
     vm_json_text(stdout, a->job->input.name);
     vm_probe_put_text(stdout, "tube", a->monitor->row.name);
     vm_probe_put_text(stdout, "phosphor", a->monitor->phosphor.name);
+    vm_probe_put_text(stdout, "head", a->job->place.head == VM_RASTER ? "raster" : "vector");
+    vm_probe_put_number(stdout, "x", a->job->place.x);
+    vm_probe_put_number(stdout, "y", a->job->place.y);
+    vm_probe_put_number(stdout, "x2", a->job->along[0]);
+    vm_probe_put_number(stdout, "y2", a->job->along[1]);
     vm_probe_put_seconds(stdout, "from_s", a->job->from);
     vm_probe_put_seconds(stdout, "to_s", a->job->to);
     vm_probe_put_number(stdout, "length_mm", f->length_mm);

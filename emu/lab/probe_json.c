@@ -86,14 +86,18 @@ static void print_light(FILE *out, const struct vm_probe_report *r)
 
 static void print_eye(FILE *out, const struct vm_probe *p, const struct vm_probe_report *r)
 {
-    bool known = !r->dark && r->periods > 0;
+    bool known = r->known;
     vm_probe_put_number(out, "field_deg", crt_fields_deg[p->viewer.field]);
     vm_probe_put_number(out, "pupil_mm", p->viewer.pupil_mm);
     vm_probe_put_number(out, "luminance_cd_m2", r->eye_cd_m2);
     vm_probe_put_number(out, "cff_hz", r->cff_hz);
+    vm_probe_put_number(out, "cff_of_hz", r->cff_of_hz);
     vm_probe_put_number(out, "cff_harmonic", known ? (double)r->cff_harmonic : (double)NAN);
     vm_probe_put_number(out, "cff_ferry_porter_hz", r->cff_ferry_porter_hz);
-    truth(out, "flickers", r->flickers);
+    if (known || r->dark)
+        truth(out, "flickers", r->flickers);
+    else
+        vm_probe_put_number(out, "flickers", NAN);
     if (known) {
         vm_probe_put_text(out, "ieee_1789", crt_ieee1789_name(r->ieee));
     } else {

@@ -31,13 +31,25 @@ static void put_figures(const struct vm_probe *p, const struct vm_probe_report *
     }
     n = snprintf(text, size, "mean %s cd/m², peak %s, least %s", figure(f->mean_cd_m2, mean),
                  figure(f->peak_cd_m2, peak), figure(f->least_cd_m2, least));
-    if (r->periods > 0)
+    if (r->known)
         n += snprintf(text + n, size - (size_t)n,
-                      "; at %.4g Hz C1 %.3f, %.3g %% flicker, flicker index %.3f; steady for 95 %% "
-                      "of viewers above %.1f Hz (%.0f° field, %s cd/m², %.2g mm pupil): %s",
-                      f->hz, f->c[0], f->percent_flicker, f->flicker_index, r->cff_hz,
-                      crt_fields_deg[p->viewer.field], figure(r->eye_cd_m2, eye),
+                      "; at %.4g Hz C1 %.3f, %.3g %% flicker, flicker index %.3f; ", f->hz, f->c[0],
+                      f->percent_flicker, f->flicker_index);
+    if (r->known && r->cff_harmonic > 1)
+        n += snprintf(text + n, size - (size_t)n, "its harmonic at %.4g Hz is ", r->cff_of_hz);
+    if (r->known)
+        n += snprintf(text + n, size - (size_t)n,
+                      "steady for 95 %% of viewers above %.1f Hz (%.0f° field, %s cd/m², %.2g mm "
+                      "pupil): %s",
+                      r->cff_hz, crt_fields_deg[p->viewer.field], figure(r->eye_cd_m2, eye),
                       p->viewer.pupil_mm, r->flickers ? "flickers" : "does not flicker");
+    else if (r->periods > 0)
+        n += snprintf(text + n, size - (size_t)n,
+                      "; the light %s by %.2g %% in this time: flicker cannot be told from that",
+                      r->drift < 0 ? "falls" : "rises", 100 * fabs(r->drift));
+    else
+        n += snprintf(text + n, size - (size_t)n,
+                      "; not a whole period: whether it flickers is not known");
     if (!r->settled)
         snprintf(text + n, size - (size_t)n, "; not settled");
 }

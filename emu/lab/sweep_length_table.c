@@ -122,12 +122,19 @@ static void print_growth(FILE *to, const struct vm_length *l)
     free(g.row);
 }
 
+/* What is printed is still steady. */
+static double down(double times)
+{
+    return floor(times * 100) / 100;
+}
+
 static void print_times(FILE *to, const struct vm_length *l, bool locked)
 {
     fprintf(to, "  %-20s %.2f times as much (%.2f to %.2f)\n",
             locked ? "locked to the tick" : "free running",
-            vm_length_times(l, locked, DF_TIMING_VALUE), vm_length_times(l, locked, DF_TIMING_HIGH),
-            vm_length_times(l, locked, DF_TIMING_LOW));
+            down(vm_length_times(l, locked, DF_TIMING_VALUE)),
+            down(vm_length_times(l, locked, DF_TIMING_HIGH)),
+            down(vm_length_times(l, locked, DF_TIMING_LOW)));
 }
 
 static void print_program(FILE *to, const struct vm_length *l)
@@ -180,8 +187,8 @@ void vm_length_print_csv(FILE *to, const struct vm_length *l)
                 l->program.given || l->kind == VM_LIST_CHARACTERS ? 0 : s.units, r->amount);
         for (int t = 0; t < VM_TIMINGS; t++)
             fprintf(to, ",%.12g", (double)r->ps[t] / (double)CRT_PS_PER_S);
-        fprintf(to, ",%.9g,%s,%.9g,%s,%.9g,%.9g\n", r->free_hz, r->free_flickers ? "yes" : "no",
-                r->locked_hz, r->locked_flickers ? "yes" : "no",
+        fprintf(to, ",%.9g,%s,%.9g,%s,%.9g,%.9g\n", r->free_hz, r->free_flickers ? "true" : "false",
+                r->locked_hz, r->locked_flickers ? "true" : "false",
                 vm_steady_luminance(&l->steady, r->free_hz),
                 vm_steady_luminance(&l->steady, r->locked_hz));
     }

@@ -215,7 +215,7 @@ static void print_line(FILE *to, const struct vm_sweep *s, struct vm_sweep_at at
     fprintf(to, "%s,%.9g,%.9g,%.0f,%.9g", s->phosphor[at.phosphor]->name, s->cd_m2[at.luminance],
             s->rate_hz[at.rate], field_deg(s, at.field), s->pupil_mm);
     fprintf(to, ",%.9g,%.9g,%.9g,%.9g,%.9g,%.9g,%s", c.c1, c.percent_flicker, c.flicker_index,
-            c.cff_hz, c.margin_hz, c.limit_cd_m2, c.flickers ? "yes" : "no");
+            c.cff_hz, c.margin_hz, c.limit_cd_m2, c.flickers ? "true" : "false");
     fprintf(to, ",%.9g,%s,", crt_cff_ferry_porter(s->cd_m2[at.luminance], s->pupil_mm),
             crt_ieee1789_name(c.ieee1789));
     if (c.svm >= 0)
@@ -226,7 +226,7 @@ static void print_line(FILE *to, const struct vm_sweep *s, struct vm_sweep_at at
 void vm_sweep_print_csv(FILE *to, const struct vm_sweep *s)
 {
     fputs("phosphor,cd_m2,refresh_hz,field_deg,pupil_mm,c1,percent_flicker,flicker_index,cff_hz,"
-          "margin_hz,limit_cd_m2,flickers,ferry_porter_hz,ieee1789,svm\n",
+          "margin_hz,limit_cd_m2,flickers,cff_ferry_porter_hz,ieee_1789,svm\n",
           to);
     struct vm_sweep_at at;
     for (at.phosphor = 0; at.phosphor < s->phosphors; at.phosphor++)

@@ -36,6 +36,10 @@ static void put_entry(struct vm_why_writer *w, const struct vm_why_entry *e)
     if (s->known && !(w->store.known && w->store.pc == s->pc)) {
         vm_why_say_code(&w->text->names, s->pc, code, sizeof code);
         snprintf(text + n, sizeof text - n, ", stored by %s", code);
+        vm_why_say_caller(&w->text->names, s, code, sizeof code);
+        n = strlen(text);
+        if (code[0])
+            snprintf(text + n, sizeof text - n, " for %s", code);
     }
     w->store = *s;
     vm_why_wrap(w, lead, text);

@@ -68,7 +68,7 @@ static void say_dots(const struct vm_why_deposit *d, char *text, size_t size)
     const struct vm_why_row *row = &d->row;
     char dots[64], byte[64];
     bool one = row->first == row->last;
-    snprintf(byte, sizeof byte, "byte %06x of the buffer", (unsigned)row->address);
+    snprintf(byte, sizeof byte, "byte 0x%06x of the buffer", (unsigned)row->address);
     if (one)
         snprintf(dots, sizeof dots, "dot %d, ", (int)row->dot);
     else if (row->overscan)

@@ -213,7 +213,7 @@ static void worked_rows(void **state)
         crt_tube_advance(tube, crt_tick_time(rate, 200));
         struct crt_waveform_figures f;
         uint64_t t0 = crt_tick_time(rate, 180), t1 = crt_tick_time(rate, 200);
-        double hz = crt_waveform_repeats_hz(d, 0, t1);
+        double hz = crt_waveform_repeats_hz(d, 0, t1, 0);
         assert_true(fabs(hz - 60) < 1e-6);
         crt_waveform_measure(d, t0, t1, hz, &f);
         print_message("# %s: C1 %.4f, %.2f %%, index %.4f\n", want[i].name, f.c[0],
@@ -346,13 +346,68 @@ static void vectors_repeat(void **state)
                 refresh(tube, t, c[i].words, c[i].dots, shift);
             }
             crt_tube_advance(tube, 4 * CRT_PS_PER_S);
-            double hz = crt_waveform_repeats_hz(d, 0, 4 * CRT_PS_PER_S);
+            double hz = crt_waveform_repeats_hz(d, 0, 4 * CRT_PS_PER_S, 0);
             if (!(fabs(hz / 40 - 1) < 1e-4))
                 print_message("# case %zu at %d: %g Hz\n", i, where, hz);
             assert_true(fabs(hz / 40 - 1) < 1e-4);
             crt_photodiode_close(d);
             crt_tube_destroy(tube);
         }
+}
+
+/* The same with the refresh known; of less than a refresh nothing repeats. */
+static void pieces_of_a_refresh_are_no_repeats(void **state)
+{
+    (void)state;
+    const double w[] = {1}, tau[] = {1};
+    struct crt_phosphor p = model_phosphor(1, w, tau);
+    struct crt_tube_row row = model_row(0.25, 0);
+    for (int dots = 1; dots <= 200; dots = dots * 3 + 1)
+        for (int changes = 0; changes < 2; changes++) {
+            struct crt_tube *tube = tube_of(&row, &p);
+            struct crt_photodiode *d = point_at(tube, 0, 0.1);
+            uint32_t seed = 5;
+            for (uint64_t n = 0; n < 8; n++) {
+                uint64_t t = crt_tick_time((struct crt_rate){40, 1}, n);
+                int more = changes ? (int)model_uniform(&seed, 0, dots) : 0;
+                refresh(tube, t, changes ? 1 : 0, dots + more, 0);
+            }
+            crt_tube_advance(tube, 200 * MS);
+            double hz = crt_waveform_repeats_hz(d, 0, 200 * MS, 40);
+            if (!(fabs(hz / 40 - 1) < 1e-3))
+                fail_msg("%d dots, changing %d: %g Hz", dots, changes, hz);
+            assert_true(crt_waveform_repeats_hz(d, 50 * MS, 74 * MS, 40) == 0);
+            crt_photodiode_close(d);
+            crt_tube_destroy(tube);
+        }
+}
+
+/* Flashes at random have no period, however many there are. */
+static void chance_does_not_repeat(void **state)
+{
+    (void)state;
+    const double w[] = {1}, tau[] = {1};
+    struct crt_phosphor p = model_phosphor(1, w, tau);
+    struct crt_tube_row row = model_row(0.25, 0);
+    for (int sources = 1; sources <= 3; sources++)
+        for (int spread = 1; spread <= 2; spread++)
+            for (int i = 0; i < 3; i++) {
+                struct crt_tube *tube = tube_of(&row, &p);
+                struct crt_photodiode *d = point_at(tube, 0, 0);
+                uint32_t seed = 100 + (uint32_t)i;
+                uint64_t t = 0;
+                for (int n = 0; n < 400; n++) {
+                    double u = model_uniform(&seed, 0, 1);
+                    point(tube, t, US, 4 * (uint32_t)(n % sources), 0);
+                    t += 2 * US + (uint64_t)((spread == 1 ? u : -log(1 - u)) * 1e9);
+                }
+                crt_tube_advance(tube, t);
+                double hz = crt_waveform_repeats_hz(d, 0, t, 0);
+                if (hz != 0)
+                    fail_msg("%d sources, spread %d, seed %d: %g Hz", sources, spread, i, hz);
+                crt_photodiode_close(d);
+                crt_tube_destroy(tube);
+            }
 }
 
 /* Rasters, line n again in the next frame; interlaced, after two fields. */
@@ -380,7 +435,7 @@ static void rasters_repeat(void **state)
             }
         }
         crt_tube_advance(tube, CRT_PS_PER_S / 3);
-        double hz = crt_waveform_repeats_hz(d, 0, CRT_PS_PER_S / 3);
+        double hz = crt_waveform_repeats_hz(d, 0, CRT_PS_PER_S / 3, 0);
         assert_true(fabs(hz - 60.0 / step) < 1e-3);
         /* The light of a point between lines of both fields comes 60 times a second all the same. */
         struct crt_waveform_figures f;
@@ -407,7 +462,7 @@ static void darkness(void **state)
     assert_true(f.mean_cd_m2 == 0 && f.peak_cd_m2 == 0 && f.least_cd_m2 == 0 && f.hz == 60);
     assert_true(isnan(f.c[0]) && isnan(f.percent_flicker) && isnan(f.flicker_index));
     assert_true(isnan(f.persistence_10_s));
-    assert_true(crt_waveform_repeats_hz(d, 0, 30 * MS) == 0);
+    assert_true(crt_waveform_repeats_hz(d, 0, 30 * MS, 0) == 0);
     crt_photodiode_close(d);
     crt_tube_destroy(tube);
 }
@@ -415,10 +470,16 @@ static void darkness(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_phosphor),    cmocka_unit_test(persistence),
-        cmocka_unit_test(worked_rows),       cmocka_unit_test(as_fine_samples_say),
-        cmocka_unit_test(ranges_keep_peaks), cmocka_unit_test(vectors_repeat),
-        cmocka_unit_test(rasters_repeat),    cmocka_unit_test(darkness),
+        cmocka_unit_test(every_phosphor),
+        cmocka_unit_test(persistence),
+        cmocka_unit_test(worked_rows),
+        cmocka_unit_test(as_fine_samples_say),
+        cmocka_unit_test(ranges_keep_peaks),
+        cmocka_unit_test(vectors_repeat),
+        cmocka_unit_test(pieces_of_a_refresh_are_no_repeats),
+        cmocka_unit_test(chance_does_not_repeat),
+        cmocka_unit_test(rasters_repeat),
+        cmocka_unit_test(darkness),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

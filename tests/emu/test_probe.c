@@ -338,6 +338,43 @@ static void any_time_gives_whole_periods(void **state)
     bench_close(b);
 }
 
+/* Two lists in turn, as double-buffered firmware has them: alike but for a hair, and unlike. */
+static void twice_is_slower_only_where_it_shows(void **state)
+{
+    (void)state;
+    static const char turns[] = ".tube \"VR17\"\n.start a\n"
+                                "a: sync italics=off\n point i=7 pen=off blink=off line=solid\n"
+                                " plot 512, 512\n"
+                                "b: sync italics=off\n point i=%d pen=off blink=off line=solid\n"
+                                " plot 512, 512\n jump a\n";
+    for (int i = 0; i < 2; i++) {
+        char text[400];
+        snprintf(text, sizeof text, turns, i ? 2 : 7);
+        struct vm_settings_options options = plain("P39", 60);
+        struct bench *b = bench_open(text, &options, &middle, true);
+        vm_probe_run(&b->probe, b->rig.machine, 2 * CRT_PS_PER_S);
+        struct vm_probe_report r = report_of(b, CRT_PS_PER_S, 2 * CRT_PS_PER_S);
+        near("turns", "P39", 60, r.figures.hz, i ? 30 : 60);
+        assert_true(r.known && r.cff_of_hz == r.cff_harmonic * r.figures.hz);
+        bench_close(b);
+    }
+}
+
+/* A tube just switched on brightens, and one left alone fades: neither is flicker. */
+static void drift_is_no_flicker(void **state)
+{
+    (void)state;
+    struct vm_settings_options options = plain("P39", 60);
+    struct bench *b = bench_open(dot, &options, &middle, true);
+    vm_probe_run(&b->probe, b->rig.machine, 2 * CRT_PS_PER_S);
+    struct vm_probe_report r = report_of(b, 0, CRT_PS_PER_S / 10);
+    assert_true(!r.known && !r.settled && !r.flickers && r.drift > 0.1);
+    assert_true(isnan(r.figures.c[0]) && isnan(r.figures.percent_flicker) && isnan(r.cff_hz));
+    r = report_of(b, CRT_PS_PER_S, 2 * CRT_PS_PER_S);
+    assert_true(r.known && r.settled);
+    bench_close(b);
+}
+
 /* Many more refreshes than are kept. */
 static void the_rate_is_known_after_a_long_time(void **state)
 {
@@ -515,6 +552,8 @@ int main(void)
         cmocka_unit_test(a_probe_that_comes_late_sees_nearly_the_same),
         cmocka_unit_test(forgetting_changes_nothing_that_comes_later),
         cmocka_unit_test(any_time_gives_whole_periods),
+        cmocka_unit_test(twice_is_slower_only_where_it_shows),
+        cmocka_unit_test(drift_is_no_flicker),
         cmocka_unit_test(the_rate_is_known_after_a_long_time),
         cmocka_unit_test(samples_carry_the_light),
         cmocka_unit_test(a_long_list_is_steadier_as_a_whole),

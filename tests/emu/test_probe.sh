@@ -98,7 +98,7 @@ done
 keys=$(sed -n 's/^[{ ]"\([a-z0-9_]*\)".*/\1/p' out | tr '\n' ' ')
 [ "$keys" = "program tube phosphor head sensor x y area_mm from_s to_s periods settled refresh_hz repeats_hz \
 fundamental_hz c1 c2 c3 c4 c5 c6 c7 c8 percent_flicker flicker_index mean_cd_m2 peak_cd_m2 least_cd_m2 \
-persistence_10_s field_deg pupil_mm luminance_cd_m2 cff_hz cff_harmonic cff_ferry_porter_hz flickers ieee_1789 svm " ]
+persistence_10_s field_deg pupil_mm luminance_cd_m2 cff_hz cff_of_hz cff_harmonic cff_ferry_porter_hz flickers ieee_1789 svm " ]
 report $? "keys are all there, in order"
 ! command -v python3 >/dev/null || python3 -m json.tool out >json.txt 2>said
 report $? "JSON is JSON"

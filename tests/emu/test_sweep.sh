@@ -56,7 +56,7 @@ INI
         BEGIN { pi = 3.14159265358979
             m[10] = 14.6; n[10] = 7.00; m[30] = 13.83; n[30] = 8.31
             m[50] = 8.32; n[50] = 9.73; m[70] = 6.79; n[70] = 10.03 }
-        NR == 1 { if ($0 != "phosphor,cd_m2,refresh_hz,field_deg,pupil_mm,c1,percent_flicker,flicker_index,cff_hz,margin_hz,limit_cd_m2,flickers,ferry_porter_hz,ieee1789,svm") bad = 1; next }
+        NR == 1 { if ($0 != "phosphor,cd_m2,refresh_hz,field_deg,pupil_mm,c1,percent_flicker,flicker_index,cff_hz,margin_hz,limit_cd_m2,flickers,cff_ferry_porter_hz,ieee_1789,svm") bad = 1; next }
         { c1 = 2 / sqrt(1 + (2 * pi * $3 * 0.005) ^ 2); x = 1 / ($3 * 0.005); a = 1 / (1 - exp(-x))
           area = pi * 4
           f = 50; for (i = 0; i < 200; i++) f = (f + m[$4] + n[$4] * log($2 * area * 2 / sqrt(1 + (2 * pi * f * 0.005) ^ 2))) / 2
@@ -68,7 +68,7 @@ INI
             v = 0; for (k = 1; k * $3 <= 2000; k++) { g = k * $3
               v += (2 / sqrt(1 + (2 * pi * g * 0.005) ^ 2) / (1 / (1 + exp(-0.00518 * (g - 306.6))) + 20 * exp(-g / 10))) ^ 3.7 }
             if (off($15, v ^ (1 / 3.7))) bad = 1 }
-          if ($12 != ($3 < f ? "yes" : "no") || $12 != ($2 > limit ? "yes" : "no")) bad = 1 }
+          if ($12 != ($3 < f ? "true" : "false") || $12 != ($2 > limit ? "true" : "false")) bad = 1 }
         END { exit bad || NR != 1 + 2 * 3 * 4 }' "$work/said"
 report $? "CSV has the closed forms, for a phosphor of one's own"
 
@@ -108,7 +108,7 @@ says "what a vector takes" 'vectors of 100 units, 22.9 mm *15.00 us'
 report $? "nor is this wider than 100 columns"
 
 # The list it writes is run: it holds the tick's rate; with one vector more it does not.
-longest=$("$KINESCOPE" sweep length --csv - | awk -F, '$10 == "no" { n = $3 } END { print n }')
+longest=$("$KINESCOPE" sweep length --csv - | awk -F, '$10 == "false" { n = $3 } END { print n }')
 "$KINESCOPE" sweep length --write "$work/longest.df" --sync >"$work/said" 2>&1 &&
     head -3 "$work/longest.df" | grep -q "; $longest vectors of 100 units" &&
     "$KINESCOPE" trace "$work/longest.df" --summary >"$work/said" 2>&1

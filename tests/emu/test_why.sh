@@ -130,7 +130,7 @@ t=$(echo "$t" | sed 's/^0*//')
 report $? "a trace has that store at that time"
 as_probed "the light of a pixel is what the probe sees" $pixel.elf 320,240 84
 "$KINESCOPE" why $pixel.elf --at 10,10 --time 80ms >"$work/said" 2>&1
-says "who left a pixel black" 'is dark at .*passed there .* scan line 10, dot 10, byte 00280a of the buffer, to which nobody'
+says "who left a pixel black" 'is dark at .*passed there .* scan line 10, dot 10, byte 0x00280a of the buffer, to which nobody'
 answers "long after a line of a quick phosphor" roms/interlace.elf --at 320,200
 says "what was there, and what it comes to" 'is dark at .* It was lit [0-9.]* ms ago and has faded since: .* a mean of [0-9.]* cd/m2'
 "$KINESCOPE" capture "$work/cross.df" --at 100ms --hash --save-state "$work/state" >"$work/said" 2>&1 &&
