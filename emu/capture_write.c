@@ -26,7 +26,7 @@ static void spacing(const struct vm_capture *c, char *text, size_t size)
     char step[40];
     if (shown < all)
         snprintf(text, size, "%llu of %llu %s%s", shown, all, c->step ? c->o.step : "picture",
-                 c->step == VM_STEP_NONE ? "s" : " steps");
+                 c->step ? " steps" : "s");
     else if (c->step)
         snprintf(text, size, "step by %s", c->o.step);
     else if (shown > 1) {
