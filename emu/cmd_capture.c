@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "emu/capture_parts.h"
 #include "emu/command.h"
@@ -89,6 +90,11 @@ static bool check_outputs(struct vm_capture *c, struct crt_error *err)
         return crt_fail(err, "nothing is to be written; give -o OUT.png, --y4m FILE or --hash");
     if (o->out && o->y4m)
         return crt_fail(err, "-o and --y4m exclude each other");
+    size_t n = o->out ? strlen(o->out) : 0;
+    if (o->out && strcmp(o->out, "-") != 0 && strncmp(o->out, "/dev/", 5) != 0 &&
+        (n < 4 || strcasecmp(o->out + n - 4, ".png") != 0))
+        return crt_fail(err, "-o %.100s: pictures are PNG files; give a name that ends in .png, or -",
+                        o->out);
     if (o->hash && ((o->out && strcmp(o->out, "-") == 0) || (o->y4m && strcmp(o->y4m, "-") == 0)))
         return crt_fail(err, "--hash prints to standard output, where the picture goes, too; give "
                              "that a file, or leave out --hash");
