@@ -93,8 +93,8 @@ static bool check_outputs(struct vm_capture *c, struct crt_error *err)
     size_t n = o->out ? strlen(o->out) : 0;
     if (o->out && strcmp(o->out, "-") != 0 && strncmp(o->out, "/dev/", 5) != 0 &&
         (n < 4 || strcasecmp(o->out + n - 4, ".png") != 0))
-        return crt_fail(err, "-o %.100s: pictures are PNG files; give a name that ends in .png, or -",
-                        o->out);
+        return crt_fail(
+            err, "-o %.100s: pictures are PNG files; give a name that ends in .png, or -", o->out);
     if (o->hash && ((o->out && strcmp(o->out, "-") == 0) || (o->y4m && strcmp(o->y4m, "-") == 0)))
         return crt_fail(err, "--hash prints to standard output, where the picture goes, too; give "
                              "that a file, or leave out --hash");

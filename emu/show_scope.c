@@ -226,7 +226,10 @@ static void describe(const struct vm_show *show, char text[CAPTION_MAX])
     char light[CAPTION_MAX];
     describe_light(s, light);
     snprintf(text, CAPTION_MAX, "%s%.200s",
-             show->sides < 2 ? "" : s->side ? "right: " : "left: ", light);
+             show->sides < 2 ? ""
+             : s->side       ? "right: "
+                             : "left: ",
+             light);
 }
 
 /* The curve, with 0 at its end. */
