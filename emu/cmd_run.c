@@ -145,7 +145,7 @@ const struct vm_command vm_command_run = {
     "  kinescope run --headless --console < script\n"
     "  kinescope run roms/lander.df --tube VR14 --time-scale 0.001\n"
     "  kinescope run roms/spin.df --versus 'phosphor=P39;refresh=30'\n"
-    "  kinescope run roms/lander.df --time-scale 1e-5 --shutter 100us\n"
+    "  kinescope run roms/lander.df --phosphor P31 --time-scale 1e-5 --shutter 100us\n"
     "  kinescope run roms/growing.df --refresh 25 --no-flash\n"
     "  kinescope run roms/spin.df --headless --for 60s\n"
     "  kinescope run roms/pattern.elf --tube MONO12/P134\n"

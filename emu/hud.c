@@ -324,7 +324,7 @@ static void redraw(struct vm_hud *hud)
     }
     if (hud->status[0])
         bottom = draw_text_panel(hud, VM_PANEL_STATUS, hud->status, bottom, VM_HUD_LEVELS);
-    if (hud->message[0] && hud->message_level > 0)
+    if (hud->message[0] && hud->message_level > 0 && !hud->help_shown)
         draw_text_panel(hud, VM_PANEL_MESSAGE, hud->message, bottom, hud->message_level);
     if (hud->help_shown && hud->help_count > 0)
         draw_help(hud);

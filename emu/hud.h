@@ -61,7 +61,7 @@ void vm_hud_mark(struct vm_hud *hud, enum vm_hud_mark which, double x, double y,
 /* The pen's. */
 void vm_hud_ring(struct vm_hud *hud, double x, double y, double radius);
 
-/* A picture of 8 bits in the upper right corner and a text under it, copied; NULL: none. Not shown where it
+/* A picture of 8 bits in the upper right corner (of two halves between them) and a text under it, copied; NULL: none. Not shown where it
  * does not fit. */
 void vm_hud_picture(struct vm_hud *hud, const struct crt_image *image, const char *caption);
 

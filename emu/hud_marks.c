@@ -132,13 +132,15 @@ static void draw_caption(struct vm_hud *hud, struct vm_box above)
                        hud->ink, lines[i].text, lines[i].length);
 }
 
-/* In the upper right corner. */
+/* In the upper right corner; of two halves where they meet, which hides least of either. */
 static void draw_picture(struct vm_hud *hud)
 {
     int w = hud->picture_width, h = hud->picture_height;
     int left = hud->canvas.width - w - MARGIN, top = MARGIN;
-    if (hud->side[1][0]) /* under what the half is called */
-        top = vm_hud_strip(hud->canvas.width, hud->canvas.height);
+    if (hud->side[1][0]) {
+        left = (hud->canvas.width - w) / 2;
+        top = vm_hud_strip(hud->canvas.width, hud->canvas.height); /* under what they are called */
+    }
     if (left < 0 || top + h > hud->canvas.height)
         return;
     for (int y = 0; y < h; y++) {

@@ -174,11 +174,18 @@ bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t lim
 /* m->dpu.words is `words`; what else happens when the last one is fetched has happened, too. */
 bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit);
 
-/* One more stroke of the vector head (a lit piece of the beam's path) is over; a word may have many. */
+/* One more stroke of the vector head (a lit stretch of the beam's path, a vector with its rests) is over; a word
+ * may have many. */
 bool vm_machine_run_stroke(struct vm_machine *m, uint64_t limit);
+/* When the last stroke before t was over, as far as is known; 0: it is not. */
+uint64_t vm_machine_stroke_before(const struct vm_machine *m, uint64_t t);
 /* The raster head's next line begins, blanked ones too: one visible, in blanking, or the first of a new
  * timing. */
 bool vm_machine_run_line(struct vm_machine *m, uint64_t limit);
+
+/* What a machine is stepped by, and one step; instructions need a board. */
+enum vm_unit { VM_UNIT_INSTRUCTION, VM_UNIT_WORD, VM_UNIT_REFRESH, VM_UNIT_STROKE, VM_UNIT_LINE };
+bool vm_machine_run_unit(struct vm_machine *m, enum vm_unit unit, uint64_t limit);
 
 /* The stroke under way, or the last one that is over; NULL: there is none, or it was drawn before a state
  * was loaded. */

@@ -165,6 +165,7 @@ struct vm_show {
     double scale, remainder_ps, last_time;
     bool paused, step, skip, quit;
     enum vm_unit unit;         /* of steps */
+    uint64_t dark_told;        /* tick before the dark stretch that was told last */
     double speed, speed_since; /* measured: simulated seconds a second */
     uint64_t speed_from;
 

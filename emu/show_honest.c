@@ -25,6 +25,15 @@ void vm_show_welcome(struct vm_show *show)
 {
     char text[400];
     double hz = vm_window_refresh_hz(show->window);
+    const struct vm_shown *p = show->program;
+    if (p->from > 0 && !show->desc->saved->load) {
+        snprintf(text, sizeof text,
+                 "F1 help.  Slow motion began at %.1f ms, with a refresh; Right Ctrl S skips time "
+                 "in which nothing is drawn, F7 and F8 change the pace.",
+                 (double)p->from / (double)CRT_PS_PER_MS);
+        vm_hud_message(show->hud, text, vm_window_time(), WELCOME_S);
+        return;
+    }
     snprintf(
         text, sizeof text,
         "F1 help.  %s shows %.0f pictures a second, so flicker of that rate and above cannot be "

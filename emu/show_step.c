@@ -54,26 +54,8 @@ static struct place place_of(const struct vm_shown *p)
 static bool forward(struct vm_show *show, struct crt_error *err)
 {
     struct vm_machine *m = show->program->rig.machine;
-    uint64_t limit = m->now + PATIENCE_PS;
-    bool came = false;
-    switch (show->unit) {
-    case VM_UNIT_INSTRUCTION:
-        came = vm_machine_run_retired(m, rv_retired(&m->desc.board->cpu) + 1, limit);
-        break;
-    case VM_UNIT_WORD:
-        came = vm_machine_run_words(m, m->dpu.words + 1, limit);
-        break;
-    case VM_UNIT_REFRESH:
-        came = vm_machine_run_refresh(m, limit);
-        break;
-    case VM_UNIT_STROKE:
-        came = vm_machine_run_stroke(m, limit);
-        break;
-    case VM_UNIT_LINE:
-        came = vm_machine_run_line(m, limit);
-        break;
-    }
-    return came || crt_fail(err, "no %s within a second of simulated time", unit_names[show->unit]);
+    return vm_machine_run_unit(m, show->unit, m->now + PATIENCE_PS) ||
+           crt_fail(err, "no %s within a second of simulated time", unit_names[show->unit]);
 }
 
 /* The oscilloscope sees the refreshes. */
@@ -139,15 +121,6 @@ static void describe_instruction(const struct rv_cpu *cpu, char *text, size_t si
         snprintf(text, size, "nothing");
 }
 
-/* Those that have ended; a word's are delivered before they are drawn. */
-static unsigned long long strokes_over(const struct vm_machine *m)
-{
-    uint64_t coming = 0;
-    for (int i = 0; i < VM_STROKES_KEPT; i++)
-        coming += m->recent[i].t1 > m->now;
-    return (unsigned long long)(m->strokes - coming);
-}
-
 static void say_place(struct vm_show *show)
 {
     const struct vm_machine *m = show->program->rig.machine;
@@ -163,8 +136,9 @@ static void say_place(struct vm_show *show)
     if (show->unit == VM_UNIT_WORD)
         snprintf(text, sizeof text, "display word %llu, next at %06o, %s",
                  (unsigned long long)m->dpu.words, m->dpu.dpc, time);
-    if (show->unit == VM_UNIT_STROKE)
-        snprintf(text, sizeof text, "stroke %llu, %s", strokes_over(m), time);
+    const struct crt_stroke *stroke = show->unit == VM_UNIT_STROKE ? vm_machine_stroke(m) : NULL;
+    if (stroke)
+        snprintf(text, sizeof text, "stroke of word %06o, %s", (unsigned)stroke->source, time);
     if (show->unit == VM_UNIT_LINE && ras_head_beam(&m->raster, m->now, &line, &dot))
         snprintf(text, sizeof text, "scan line %u, %s", (unsigned)line, time);
     if (show->unit == VM_UNIT_REFRESH)
