@@ -51,16 +51,6 @@ struct vm_closeup {
     double width_mm;
 };
 
-/* What a step of --step is. */
-enum vm_capture_step {
-    VM_STEP_NONE,
-    VM_STEP_REFRESH,
-    VM_STEP_WORD,
-    VM_STEP_LINE,
-    VM_STEP_STROKE,
-    VM_STEP_INSTRUCTION
-};
-
 /* The word that a step executes. */
 struct vm_step_word {
     uint16_t address, word;
@@ -91,7 +81,8 @@ struct vm_capture {
     struct vm_capture_side side[VM_SIDES];
     int sides;
     struct vm_closeup closeup;
-    enum vm_capture_step step;
+    bool step; /* by units: --step */
+    enum vm_unit unit;
     uint64_t all;          /* shots before some were chosen for --sheet */
     struct vm_size places; /* of --sheet; 0: there is none */
     struct vm_shots shots;
@@ -112,9 +103,8 @@ bool vm_capture_closeup(struct vm_capture *c, struct crt_error *err);
  * status. */
 int vm_capture_plan(struct vm_capture *c, struct crt_error *err);
 
-/* The step that --step names; the shots from the machine's present time on, which must have no light: an exit
- * status. */
-enum vm_capture_step vm_capture_step_of(const char *name);
+/* What --step names; the shots from the machine's present time on, which must have no light: an exit status. */
+enum vm_unit vm_capture_unit(const char *name);
 int vm_capture_steps(struct vm_capture *c, struct vm_machine *m, struct crt_error *err);
 /* What --captions says under picture `number`. UTF-8. */
 void vm_capture_caption(const struct vm_capture *c, uint64_t number, char *text, size_t size);

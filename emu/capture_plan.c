@@ -130,6 +130,16 @@ static void run_to(struct vm_capture *c, struct vm_machine *m, uint64_t until)
     vm_progress_end(&c->progress);
 }
 
+/* To where the raster head's next picture begins: lines of blanking are nothing to look at. */
+static void run_to_top(struct vm_machine *m)
+{
+    uint64_t limit = m->now + CRT_PS_PER_S / 2;
+    uint32_t line, dot;
+    while (vm_machine_run_line(m, limit))
+        if (ras_head_beam(&m->raster, m->now, &line, &dot) && line == 0)
+            return;
+}
+
 /* The steps from `moment` on; a machine that has run further is of no use for that. */
 static int plan_steps(struct vm_capture *c, struct vm_rig *rig, uint64_t moment,
                       struct crt_error *err)
@@ -141,13 +151,15 @@ static int plan_steps(struct vm_capture *c, struct vm_rig *rig, uint64_t moment,
             return VM_EXIT_TROUBLE;
     }
     run_to(c, rig->machine, moment);
+    if (c->unit == VM_UNIT_LINE && !c->o.moment.at.given && !c->o.moment.when)
+        run_to_top(rig->machine);
     return vm_capture_steps(c, rig->machine, err);
 }
 
 /* Runs the left side's machine through all instants, which it finds where events say them. */
 static int find_instants(struct vm_capture *c, struct vm_rig *rig, struct crt_error *err)
 {
-    uint64_t moment;
+    uint64_t moment = rig->machine->now; /* kept when there is no such moment */
     if (c->sequence && !c->step) {
         run_to(c, rig->machine, last_instant(c));
         return VM_EXIT_OK;

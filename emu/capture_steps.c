@@ -12,16 +12,18 @@
 #define PATIENCE_PS CRT_PS_PER_S /* how long a step may take to come */
 #define COUNT       24           /* by default */
 
-static const char *const names[] = {
-    [VM_STEP_NONE] = "",     [VM_STEP_REFRESH] = "refresh", [VM_STEP_WORD] = "word",
-    [VM_STEP_LINE] = "line", [VM_STEP_STROKE] = "stroke",   [VM_STEP_INSTRUCTION] = "instruction"};
+static const char *const names[] = {[VM_UNIT_INSTRUCTION] = "instruction",
+                                    [VM_UNIT_WORD] = "word",
+                                    [VM_UNIT_REFRESH] = "refresh",
+                                    [VM_UNIT_STROKE] = "stroke",
+                                    [VM_UNIT_LINE] = "line"};
 
-enum vm_capture_step vm_capture_step_of(const char *name)
+enum vm_unit vm_capture_unit(const char *name)
 {
-    for (int s = VM_STEP_REFRESH; name && s <= VM_STEP_INSTRUCTION; s++)
-        if (strcmp(name, names[s]) == 0)
-            return (enum vm_capture_step)s;
-    return VM_STEP_NONE;
+    int unit = VM_UNIT_INSTRUCTION;
+    while (name && unit < VM_UNIT_LINE && strcmp(name, names[unit]) != 0)
+        unit++;
+    return (enum vm_unit)unit;
 }
 
 /* ---- steps --------------------------------------------------------------------------------------
@@ -53,32 +55,19 @@ static bool run_word(struct vm_machine *m, uint64_t limit, struct vm_step_word *
 static bool step(struct vm_capture *c, struct vm_machine *m, uint64_t number)
 {
     uint64_t limit = m->now + PATIENCE_PS;
-    switch (c->step) {
-    case VM_STEP_NONE:
-        break;
-    case VM_STEP_REFRESH:
-        return vm_machine_run_refresh(m, limit);
-    case VM_STEP_WORD:
-        return run_word(m, limit, &c->word[number]);
-    case VM_STEP_LINE:
-        return vm_machine_run_line(m, limit);
-    case VM_STEP_STROKE:
-        return vm_machine_run_stroke(m, limit);
-    case VM_STEP_INSTRUCTION:
-        return vm_machine_run_retired(m, rv_retired(&m->desc.board->cpu) + 1, limit);
-    }
-    return false;
+    return c->unit == VM_UNIT_WORD ? run_word(m, limit, &c->word[number])
+                                   : vm_machine_run_unit(m, c->unit, limit);
 }
 
 /* What has no such thing at all. */
 static bool check_step(const struct vm_capture *c, const struct vm_machine *m,
                        struct crt_error *err)
 {
-    if ((c->step == VM_STEP_LINE || c->step == VM_STEP_INSTRUCTION) && !m->desc.board)
+    if ((c->unit == VM_UNIT_LINE || c->unit == VM_UNIT_INSTRUCTION) && !m->desc.board)
         return crt_fail(err,
                         "--step %s is for firmware; %s has refreshes, words and strokes to step by",
-                        names[c->step], c->input.name);
-    if (c->input.is_recording && c->step != VM_STEP_STROKE)
+                        names[c->unit], c->input.name);
+    if (c->input.is_recording && c->unit != VM_UNIT_STROKE)
         return crt_fail(err, "a recording has only strokes to step by: --step stroke");
     return true;
 }
@@ -92,7 +81,7 @@ int vm_capture_steps(struct vm_capture *c, struct vm_machine *m, struct crt_erro
     c->fps = c->o.fps.num ? c->o.fps : (struct crt_rate){25, 1};
     if (!vm_shots_init(&c->shots, count, err))
         return VM_EXIT_TROUBLE;
-    if (c->step == VM_STEP_WORD && !(c->word = calloc((size_t)count, sizeof *c->word))) {
+    if (c->unit == VM_UNIT_WORD && !(c->word = calloc((size_t)count, sizeof *c->word))) {
         crt_fail(err, "not enough memory for that many steps; lower --count");
         return VM_EXIT_TROUBLE;
     }
@@ -102,7 +91,7 @@ int vm_capture_steps(struct vm_capture *c, struct vm_machine *m, struct crt_erro
             char text[40];
             vm_format_seconds(begin, text, sizeof text);
             crt_fail(err, "after %llu steps no %s comes within a second, from %s on",
-                     (unsigned long long)n, names[c->step], text);
+                     (unsigned long long)n, names[c->unit], text);
             return VM_EXIT_TROUBLE;
         }
         c->shots.shot[n] = (struct vm_shot){begin, m->now};
@@ -188,19 +177,20 @@ void vm_capture_caption(const struct vm_capture *c, uint64_t number, char *text,
     const struct vm_machine *m = side->rig.machine;
     struct line line = {text, size, 0};
     char part[64];
+    bool by_line = c->step && c->unit == VM_UNIT_LINE;
     text[0] = '\0';
     vm_caption_clock(c->shots.shot[number].at, part, sizeof part);
     say(&line, part);
-    if (c->step == VM_STEP_REFRESH) {
+    if (c->step && c->unit == VM_UNIT_REFRESH) {
         snprintf(part, sizeof part, "refresh %llu", (unsigned long long)m->refreshes.last.number);
         say(&line, part);
     }
-    if (c->step == VM_STEP_INSTRUCTION)
+    if (c->step && c->unit == VM_UNIT_INSTRUCTION)
         say_instruction(&line, &m->desc.board->cpu);
     if (c->word)
         say_word(&line, &c->word[number]);
-    if ((side->view & VM_VIEW_VECTOR) && c->step != VM_STEP_LINE)
+    if ((side->view & VM_VIEW_VECTOR) && !by_line)
         say_beam(&line, m);
     if (side->view & VM_VIEW_RASTER)
-        say_line(&line, m, c->step == VM_STEP_LINE);
+        say_line(&line, m, by_line);
 }

@@ -26,7 +26,7 @@ static void spacing(const struct vm_capture *c, char *text, size_t size)
     char step[40];
     if (shown < all)
         snprintf(text, size, "%llu of %llu %s%s", shown, all, c->step ? c->o.step : "picture",
-                 c->step == VM_STEP_NONE ? "s" : " steps");
+                 c->step ? " steps" : "s");
     else if (c->step)
         snprintf(text, size, "step by %s", c->o.step);
     else if (shown > 1) {
@@ -84,6 +84,10 @@ bool vm_capture_write(struct vm_capture *c, const struct crt_image *image,
                       const struct vm_frame *frame, uint64_t number, struct crt_error *err)
 {
     char name[4096];
+    if (c->strip && !c->y4m.file && (image->width % 2 || image->height % 2))
+        fprintf(stderr,
+                "kinescope capture: the film strip is of %dx%d, as many players need even sizes\n",
+                image->width + image->width % 2, image->height + image->height % 2);
     if (c->strip)
         return (c->y4m.file ||
                 vm_y4m_open(&c->y4m, c->o.y4m, image->width, image->height, c->fps, err)) &&

@@ -3,6 +3,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "emu/capture_parts.h"
 #include "emu/command.h"
@@ -68,7 +69,7 @@ static const struct vm_option rows[] = {
 
 static const struct vm_option side_rows[] = {
     {"exposure", 0, VM_OPT_TIME, offsetof(struct vm_side_options, exposure), "T",
-     "gather light for this long, 1us to seconds, ending at the moment; default one sync tick, of "
+     "gather light for this long, ending at the moment; default one sync tick, of "
      "the raster head alone one frame, of --step the step",
      0, 0},
 };
@@ -89,6 +90,11 @@ static bool check_outputs(struct vm_capture *c, struct crt_error *err)
         return crt_fail(err, "nothing is to be written; give -o OUT.png, --y4m FILE or --hash");
     if (o->out && o->y4m)
         return crt_fail(err, "-o and --y4m exclude each other");
+    size_t n = o->out ? strlen(o->out) : 0;
+    if (o->out && strcmp(o->out, "-") != 0 && strncmp(o->out, "/dev/", 5) != 0 &&
+        (n < 4 || strcasecmp(o->out + n - 4, ".png") != 0))
+        return crt_fail(
+            err, "-o %.100s: pictures are PNG files; give a name that ends in .png, or -", o->out);
     if (o->hash && ((o->out && strcmp(o->out, "-") == 0) || (o->y4m && strcmp(o->y4m, "-") == 0)))
         return crt_fail(err, "--hash prints to standard output, where the picture goes, too; give "
                              "that a file, or leave out --hash");
@@ -124,7 +130,8 @@ static bool check_options(struct vm_capture *c, struct crt_error *err)
     struct vm_capture_options *o = &c->o;
     const struct vm_light_options *light = &c->side[0].o.light;
     c->strip = o->y4m != NULL;
-    c->step = vm_capture_step_of(o->step);
+    c->step = o->step != NULL;
+    c->unit = vm_capture_unit(o->step);
     c->sequence =
         o->from.given || o->to.given || o->fps.num || c->strip || c->step || o->sheet || o->count;
     if (o->film && o->glass)
@@ -335,7 +342,7 @@ const struct vm_command vm_command_capture = {
     "  kinescope capture roms/mask.elf --closeup 512,380,4 -o triads.png\n"
     "  kinescope capture roms/heads.elf --view both -o heads.png\n"
     "Two machines side by side:\n"
-    "  kinescope capture roms/spin.df --versus 'phosphor=P31;refresh=30' -o versus.png\n"
+    "  kinescope capture roms/spin.df --versus 'phosphor=P39;refresh=30' -o versus.png\n"
     "Step by step, each picture with what happens:\n"
     "  kinescope capture roms/lander.df --step word --count 40 --captions --gain peak -o "
     "w%02d.png\n"

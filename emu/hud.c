@@ -41,6 +41,7 @@ void vm_hud_destroy(struct vm_hud *hud)
         return;
     forget_help(hud);
     free(hud->picture);
+    free(hud->slide.picture);
     vm_canvas_free(&hud->canvas);
     free(hud);
 }
@@ -311,13 +312,19 @@ static void redraw(struct vm_hud *hud)
         vm_canvas_fill(&hud->canvas, hud->drawn[i], clear);
         hud->drawn[i] = (struct vm_box){0, 0, 0, 0};
     }
-    int bottom = hud->canvas.height;
-    vm_hud_draw_marks(hud);
-    for (int i = 0; i < 2; i++)
+    vm_hud_draw_slide(hud);
+    int bottom = hud->canvas.height - (hud->slide.whole ? 0 : hud->drawn[VM_PANEL_SLIDE].h);
+    if (!hud->slide.whole)
+        vm_hud_draw_marks(hud);
+    for (int i = 0; i < 2 && !hud->slide.whole; i++)
         draw_side(hud, i);
+    if (hud->help_shown && hud->help_side != VM_HUD_MIDDLE) {
+        draw_help(hud);
+        return;
+    }
     if (hud->status[0])
         bottom = draw_text_panel(hud, VM_PANEL_STATUS, hud->status, bottom, VM_HUD_LEVELS);
-    if (hud->message[0] && hud->message_level > 0)
+    if (hud->message[0] && hud->message_level > 0 && !hud->help_shown)
         draw_text_panel(hud, VM_PANEL_MESSAGE, hud->message, bottom, hud->message_level);
     if (hud->help_shown && hud->help_count > 0)
         draw_help(hud);

@@ -40,14 +40,13 @@ void vm_hud_message(struct vm_hud *hud, const char *text, double now, double sec
 /* The help panel. A line "KEY\tmeaning" is set in two columns, a line without a tab is a heading.
  */
 void vm_hud_help(struct vm_hud *hud, bool shown, const char *const *lines, size_t line_count);
-/* Where the panel lies from now on. */
+/* Where the panel lies from now on; at the edges alone, without status and message. */
 enum vm_hud_side { VM_HUD_MIDDLE, VM_HUD_TOP, VM_HUD_BOTTOM };
 void vm_hud_help_side(struct vm_hud *hud, enum vm_hud_side side);
 bool vm_hud_help_shown(const struct vm_hud *hud);
 
 /* Marks, window pixels from the top left; radius 0: none. What a light pen sees is a circle, the place of the
- * beam a cross with an open middle, a photodiode
- * and a place asked about both. */
+ * beam a cross with an open middle, a photodiode and a place asked about both. */
 enum vm_hud_mark {
     VM_MARK_PEN,
     VM_MARK_BEAM,
@@ -62,7 +61,7 @@ void vm_hud_mark(struct vm_hud *hud, enum vm_hud_mark which, double x, double y,
 /* The pen's. */
 void vm_hud_ring(struct vm_hud *hud, double x, double y, double radius);
 
-/* A picture of 8 bits in the upper right corner and a text under it, copied; NULL: none. Not shown where it
+/* A picture of 8 bits in the upper right corner (of two halves between them) and a text under it, copied; NULL: none. Not shown where it
  * does not fit. */
 void vm_hud_picture(struct vm_hud *hud, const struct crt_image *image, const char *caption);
 
@@ -70,6 +69,17 @@ void vm_hud_picture(struct vm_hud *hud, const struct crt_image *image, const cha
  * high that strip is. */
 void vm_hud_sides(struct vm_hud *hud, const char *left, const char *right);
 int vm_hud_strip(int width, int height);
+
+/* A caption in large letters at the bottom, the window's width, under a title and a hint (what keys do); or
+ * `whole`: in place of all that is behind, with a picture of 8 bits above the caption, or the text alone. Texts are
+ * UTF-8 and copied, as the picture is. NULL: none. And how high it is: nothing else is to be drawn there. */
+struct vm_hud_slide {
+    const char *title, *hint, *text;
+    bool whole, large; /* larger letters still */
+    const struct crt_image *picture;
+};
+void vm_hud_slide(struct vm_hud *hud, const struct vm_hud_slide *slide);
+int vm_hud_slide_height(const struct vm_hud *hud, int width, int height);
 
 /* The colour of the text, 0…255 sRGB: the tube's phosphor. Mixed with white until it is legible. */
 void vm_hud_tint(struct vm_hud *hud, int red, int green, int blue);

@@ -6,12 +6,14 @@
 
 #include "emu/hud_parts.h"
 
-#define LINE          1.6   /* pixels */
+#define LINE          1.6 /* pixels */
+#define RIM           1.2 /* pixels: dark on both sides of it, so that it is seen on what is bright, too */
 #define MOST          400.0 /* pixels: a larger ring is drawn so large */
 #define ARM           2.2   /* how far a cross reaches, in radii */
 #define MARGIN        8     /* pixels between the picture and the edges of the window */
 #define CAPTION_LINES 8
 #define ALPHA         200
+#define RIM_PART      0.6 /* of that */
 #define SEE_THROUGH   235
 
 /* ---- setting -------------------------------------------------------------------------------------
@@ -80,10 +82,24 @@ static double ring_and_cross(double dx, double dy, double radius)
 }
 
 /* Smooth edges: each pixel is covered as far as its centre is from the middle of the line. */
+static double covered(double away, double half)
+{
+    return fmin(fmax(half + 0.5 - away, 0), 1);
+}
+
+/* The line over its dark rim. */
+static struct vm_colour mixed(struct vm_colour ink, double away)
+{
+    double line = covered(away, LINE / 2), rim = RIM_PART * covered(away, LINE / 2 + RIM);
+    double all = line + rim * (1 - line), part = all > 0 ? line / all : 0;
+    return (struct vm_colour){(uint8_t)(ink.r * part), (uint8_t)(ink.g * part),
+                              (uint8_t)(ink.b * part), (uint8_t)(ALPHA * all)};
+}
+
 static void draw(struct vm_hud *hud, int which, shape form, struct vm_colour ink)
 {
     const struct vm_hud_place *mark = &hud->mark[which];
-    double r = fmin(mark->radius, MOST), reach = (form == ring ? 1 : ARM) * r + LINE + 1;
+    double r = fmin(mark->radius, MOST), reach = (form == ring ? 1 : ARM) * r + LINE + RIM + 1;
     int left = within(floor(mark->x - reach), hud->canvas.width);
     int top = within(floor(mark->y - reach), hud->canvas.height);
     int right = within(ceil(mark->x + reach), hud->canvas.width);
@@ -92,11 +108,9 @@ static void draw(struct vm_hud *hud, int which, shape form, struct vm_colour ink
         return;
     for (int y = top; y < bottom; y++)
         for (int x = left; x < right; x++) {
-            double away = form(x + 0.5 - mark->x, y + 0.5 - mark->y, r);
-            double cover = fmin(fmax(LINE / 2 + 0.5 - away, 0), 1);
-            ink.a = (uint8_t)(ALPHA * cover);
-            if (ink.a > 0)
-                vm_canvas_fill(&hud->canvas, (struct vm_box){x, y, 1, 1}, ink);
+            struct vm_colour dot = mixed(ink, form(x + 0.5 - mark->x, y + 0.5 - mark->y, r));
+            if (dot.a > 0)
+                vm_canvas_fill(&hud->canvas, (struct vm_box){x, y, 1, 1}, dot);
         }
     hud->drawn[VM_PANEL_MARKS + which] = (struct vm_box){left, top, right - left, bottom - top};
 }
@@ -118,13 +132,15 @@ static void draw_caption(struct vm_hud *hud, struct vm_box above)
                        hud->ink, lines[i].text, lines[i].length);
 }
 
-/* In the upper right corner. */
+/* In the upper right corner; of two halves where they meet, which hides least of either. */
 static void draw_picture(struct vm_hud *hud)
 {
     int w = hud->picture_width, h = hud->picture_height;
     int left = hud->canvas.width - w - MARGIN, top = MARGIN;
-    if (hud->side[1][0]) /* under what the half is called */
-        top = vm_hud_strip(hud->canvas.width, hud->canvas.height);
+    if (hud->side[1][0]) {
+        left = (hud->canvas.width - w) / 2;
+        top = vm_hud_strip(hud->canvas.width, hud->canvas.height); /* under what they are called */
+    }
     if (left < 0 || top + h > hud->canvas.height)
         return;
     for (int y = 0; y < h; y++) {

@@ -1,6 +1,7 @@
 /* hud_parts.h — what the files of the hud share; not for others.
  *
  *      hud.c       texts and panels        hud_marks.c     marks on the glass, a picture in a corner
+ *      hud_slide.c a caption under the picture, or in place of it
  *
  * Models:     see emu/hud.h.
  * Units:      window pixels.
@@ -13,13 +14,15 @@
 #include "emu/canvas.h"
 #include "emu/hud.h"
 
-#define VM_HUD_TEXT 600
-#define VM_HUD_HELP 64
+#define VM_HUD_TEXT  600
+#define VM_HUD_HELP  64
+#define VM_HUD_SLIDE 1200
 
 #define VM_HUD_PAD_DOTS 5  /* between a panel's edge and its text */
 #define VM_HUD_LEVELS   16 /* steps in which a message fades: each is a redraw */
 
 enum {
+    VM_PANEL_SLIDE,
     VM_PANEL_STATUS,
     VM_PANEL_MESSAGE,
     VM_PANEL_HELP,
@@ -35,6 +38,14 @@ struct vm_hud_place {
     double x, y, radius; /* radius 0: none */
 };
 
+/* What was said with vm_hud_slide(). */
+struct vm_hud_kept {
+    bool shown, whole, large;
+    char title[200], hint[120], text[VM_HUD_SLIDE];
+    uint8_t *picture; /* RGB; NULL: none */
+    int width, height;
+};
+
 struct vm_hud {
     struct vm_canvas canvas;
     struct vm_box drawn[VM_PANELS]; /* what each panel covers on the canvas; w = 0: nothing */
@@ -47,6 +58,7 @@ struct vm_hud {
     int picture_width, picture_height;
     char caption[VM_HUD_TEXT];
     char side[2][VM_HUD_TEXT]; /* "": it has no halves */
+    struct vm_hud_kept slide;
     bool help_shown;
     enum vm_hud_side help_side;
     char *help[VM_HUD_HELP];
@@ -58,6 +70,7 @@ struct vm_hud {
 void vm_hud_draw_panel(struct vm_hud *hud, int which, struct vm_box box, int dot, int level);
 /* Pixels a dot. */
 int vm_hud_dot(int width, int height);
+void vm_hud_draw_slide(struct vm_hud *hud);
 /* Marks and picture onto the canvas; where they lie is noted in hud->drawn. */
 void vm_hud_draw_marks(struct vm_hud *hud);
 

@@ -23,7 +23,7 @@
  *             is done; its registers show what the word leads to from its fetch on.
  * Refresh:    emu/refresh.h. Refreshes are counted from 1 as they end. Of a program that uses the
  *             raster head and has never started the display processor, a refresh is a frame.
- * Ownership:  the caller owns the struct (290 KiB: not for small stacks); board, console, tubes and
+ * Ownership:  the caller owns the struct (303 KiB: not for small stacks); board, console, tubes and
  *             what the desc points at must outlive it. Allocates nothing.
  * Errors:     vm_machine_load: one sentence. Guest trouble is a state of the display processor or
  *             the processor (emu/trouble.h puts it into words).
@@ -174,11 +174,18 @@ bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t lim
 /* m->dpu.words is `words`; what else happens when the last one is fetched has happened, too. */
 bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit);
 
-/* One more stroke of the vector head (a lit piece of the beam's path) is over; a word may have many. */
+/* One more stroke of the vector head (a lit stretch of the beam's path, a vector with its rests) is over; a word
+ * may have many. */
 bool vm_machine_run_stroke(struct vm_machine *m, uint64_t limit);
+/* When the last stroke before t was over, as far as is known; 0: it is not. */
+uint64_t vm_machine_stroke_before(const struct vm_machine *m, uint64_t t);
 /* The raster head's next line begins, blanked ones too: one visible, in blanking, or the first of a new
  * timing. */
 bool vm_machine_run_line(struct vm_machine *m, uint64_t limit);
+
+/* What a machine is stepped by, and one step; instructions need a board. */
+enum vm_unit { VM_UNIT_INSTRUCTION, VM_UNIT_WORD, VM_UNIT_REFRESH, VM_UNIT_STROKE, VM_UNIT_LINE };
+bool vm_machine_run_unit(struct vm_machine *m, enum vm_unit unit, uint64_t limit);
 
 /* The stroke under way, or the last one that is over; NULL: there is none, or it was drawn before a state
  * was loaded. */
@@ -192,6 +199,9 @@ void vm_machine_turn(struct vm_machine *m, enum inp_screen screen, struct crt_kn
 /* Head units to tube millimetres: the vector head's units, or the raster head's dots from the top left. */
 void vm_machine_place(const struct vm_machine *m, enum inp_screen head, double x, double y,
                       double *x_mm, double *y_mm);
+/* The other way. */
+void vm_machine_units(const struct vm_machine *m, enum inp_screen head, double x_mm, double y_mm,
+                      double *x, double *y);
 
 /* A copy that goes on alone, without tubes and console: for looking ahead. `copy` need not be
  * initialised; vm_machine_forget frees its board and refresh buffer. False: out of memory. */

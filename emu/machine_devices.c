@@ -65,20 +65,31 @@ void vm_devices_wire(struct vm_machine *m)
 /* ---- acts ---------------------------------------------------------------------------------------
  */
 
+static struct crt_screen screen_of(const struct vm_machine *m, enum inp_screen head)
+{
+    const struct ras_timing *timing = &m->raster.timing;
+    if (head != INP_RASTER)
+        return m->dpu.desc.screen;
+    return (struct crt_screen){m->raster.desc.width_mm, m->raster.desc.height_mm, timing->h.visible,
+                               timing->v.visible};
+}
+
 void vm_machine_place(const struct vm_machine *m, enum inp_screen head, double x, double y,
                       double *x_mm, double *y_mm)
 {
-    const struct ras_timing *timing = &m->raster.timing;
-    struct crt_screen screen = m->dpu.desc.screen;
+    const struct crt_screen screen = screen_of(m, head);
     float fx, fy;
-    if (head == INP_RASTER) {
-        screen = (struct crt_screen){m->raster.desc.width_mm, m->raster.desc.height_mm,
-                                     timing->h.visible, timing->v.visible};
-        y = screen.units_y - 1 - y;
-    }
-    crt_screen_to_mm(&screen, x, y, &fx, &fy);
+    crt_screen_to_mm(&screen, x, head == INP_RASTER ? screen.units_y - 1 - y : y, &fx, &fy);
     *x_mm = (double)fx;
     *y_mm = (double)fy;
+}
+
+void vm_machine_units(const struct vm_machine *m, enum inp_screen head, double x_mm, double y_mm,
+                      double *x, double *y)
+{
+    const struct crt_screen screen = screen_of(m, head);
+    crt_mm_to_units(&screen, x_mm, y_mm, x, y);
+    *y = head == INP_RASTER ? screen.units_y - 1 - *y : *y;
 }
 
 static void place(const struct vm_machine *m, struct inp_act *act)

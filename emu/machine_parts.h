@@ -4,7 +4,7 @@
  *      machine_wires.c strokes, interrupt lines,    machine_bus.c   registers on the processor's bus
  *                      START and refreshes         machine_state.c snapshots
  *      machine_raster.c the raster head's wires and registers
- *      machine_steps.c strokes and lines to step by
+ *      machine_goals.c until something happens     machine_steps.c strokes and lines to step by
  *      machine_devices.c acts, input devices, their wires and registers
  *
  * Models:     see emu/machine.h.
@@ -55,7 +55,31 @@ uint64_t vm_devices_next(const struct vm_machine *m);
 void vm_devices_event(struct vm_machine *m, uint64_t t);
 void vm_devices_state(struct vm_machine *m, struct crt_state *s);
 
-/* machine_run.c, for machine_steps.c: strokes have been delivered, of which the first may be over later;
+/* machine_run.c */
+/* What to stop at before `until`. */
+enum vm_goal_kind {
+    VM_GOAL_NONE,
+    VM_GOAL_REFRESH,
+    VM_GOAL_STOP,
+    VM_GOAL_WORDS,
+    VM_GOAL_RETIRED,
+    VM_GOAL_CONSOLE,
+    VM_GOAL_MARK,
+    VM_GOAL_END,
+    VM_GOAL_DRAWN,
+    VM_GOAL_TIMING
+};
+
+struct vm_goal {
+    enum vm_goal_kind kind;
+    uint64_t count; /* what is counted must pass it, or come to it: see reached() */
+    uint32_t mark;
+    bool on; /* the raster head was */
+};
+/* Runs to the goal's moment, or to `limit`: true when it came. */
+bool vm_run_goal(struct vm_machine *m, uint64_t limit, struct vm_goal goal);
+
+/* machine_goals.c, for machine_steps.c: strokes have been delivered, of which the first may be over later;
  * the raster head was switched on or off, or began a new timing. True when it came before `limit`. */
 bool vm_run_drawn(struct vm_machine *m, uint64_t limit);
 bool vm_run_timing(struct vm_machine *m, uint64_t limit);

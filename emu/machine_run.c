@@ -2,30 +2,9 @@
 #include "display_file/df_regs.h"
 #include "emu/machine_parts.h"
 
-/* What to stop at before `until`. */
-enum goal_kind {
-    GOAL_NONE,
-    GOAL_REFRESH,
-    GOAL_STOP,
-    GOAL_WORDS,
-    GOAL_RETIRED,
-    GOAL_CONSOLE,
-    GOAL_MARK,
-    GOAL_END,
-    GOAL_DRAWN,
-    GOAL_TIMING
-};
-
-struct goal {
-    enum goal_kind kind;
-    uint64_t count; /* what is counted must pass it, or come to it: see reached() */
-    uint32_t mark;
-    bool on; /* the raster head was */
-};
-
 struct run {
     uint64_t until;
-    struct goal goal;
+    struct vm_goal goal;
     bool hooked;
     bool came, stopped; /* the goal; a debugger's hook */
 };
@@ -132,28 +111,28 @@ static bool processor_ended(const struct vm_machine *m)
     return b && (b->finisher.done || b->cpu.state == RV_HALTED);
 }
 
-static bool reached(const struct vm_machine *m, const struct goal *g)
+static bool reached(const struct vm_machine *m, const struct vm_goal *g)
 {
     switch (g->kind) {
-    case GOAL_NONE:
+    case VM_GOAL_NONE:
         return false;
-    case GOAL_REFRESH:
+    case VM_GOAL_REFRESH:
         return m->refreshes.last.number > g->count;
-    case GOAL_STOP:
+    case VM_GOAL_STOP:
         return m->stops > g->count;
-    case GOAL_WORDS:
+    case VM_GOAL_WORDS:
         return m->dpu.words >= g->count;
-    case GOAL_RETIRED:
+    case VM_GOAL_RETIRED:
         return m->desc.board && rv_retired(&m->desc.board->cpu) >= g->count;
-    case GOAL_CONSOLE:
+    case VM_GOAL_CONSOLE:
         return m->desc.console && m->desc.console->found;
-    case GOAL_MARK:
+    case VM_GOAL_MARK:
         return m->marks > g->count && m->mark == g->mark;
-    case GOAL_END:
+    case VM_GOAL_END:
         return processor_ended(m);
-    case GOAL_DRAWN:
+    case VM_GOAL_DRAWN:
         return m->strokes > g->count;
-    case GOAL_TIMING:
+    case VM_GOAL_TIMING:
         return m->raster.on != g->on || m->raster.origin != g->count;
     }
     return false;
@@ -161,12 +140,13 @@ static bool reached(const struct vm_machine *m, const struct goal *g)
 
 /* When what has just been reached has happened. What a word brings about has when the word is done;
  * at the time of its fetch others have their turn, too. */
-static uint64_t moment_of(const struct vm_machine *m, const struct goal *g)
+static uint64_t moment_of(const struct vm_machine *m, const struct vm_goal *g)
 {
-    bool by_word = g->kind == GOAL_STOP || (g->kind == GOAL_REFRESH && !m->refreshes.declared);
+    bool by_word =
+        g->kind == VM_GOAL_STOP || (g->kind == VM_GOAL_REFRESH && !m->refreshes.declared);
     if (by_word && m->dpu.t > m->now)
         return m->dpu.t;
-    return g->kind == GOAL_WORDS ? m->now + 1 : m->now;
+    return g->kind == VM_GOAL_WORDS ? m->now + 1 : m->now;
 }
 
 /* The goal is reached: from here on everything else only catches up with its moment. */
@@ -174,7 +154,7 @@ static void come(struct run *r, uint64_t moment)
 {
     r->until = moment;
     r->came = true;
-    r->goal.kind = GOAL_NONE;
+    r->goal.kind = VM_GOAL_NONE;
 }
 
 /* ---- the processor ------------------------------------------------------------------------------
@@ -191,7 +171,7 @@ static void run_processor(struct vm_machine *m, uint64_t stop, struct run *r)
 {
     struct vm_board *b = m->desc.board;
     uint64_t cycle = vm_board_cycle(b, stop);
-    if (r->goal.kind == GOAL_RETIRED) {
+    if (r->goal.kind == VM_GOAL_RETIRED) {
         uint64_t left = r->goal.count - rv_retired(&b->cpu);
         cycle = cycle - b->cpu.cycle > left ? b->cpu.cycle + left : cycle;
     }
@@ -271,7 +251,7 @@ static void run_words(struct vm_machine *m, const uint64_t next[SOURCE_COUNT], s
     do {
         m->now = m->dpu.t;
         step(m, r->hooked);
-        if (r->goal.kind != GOAL_NONE && reached(m, &r->goal))
+        if (r->goal.kind != VM_GOAL_NONE && reached(m, &r->goal))
             return;
     } while (m->dpu.state == DF_RUNNING && m->dpu.t < limit &&
              !(m->desc.board && vm_wires_next(m) <= m->dpu.t) &&
@@ -317,7 +297,7 @@ static void take_turn(struct vm_machine *m, enum source who, const uint64_t next
 
 static void run(struct vm_machine *m, struct run *r)
 {
-    if (r->goal.kind != GOAL_NONE && reached(m, &r->goal))
+    if (r->goal.kind != VM_GOAL_NONE && reached(m, &r->goal))
         come(r, m->now);
     while (!r->stopped) {
         uint64_t next[SOURCE_COUNT];
@@ -330,7 +310,7 @@ static void run(struct vm_machine *m, struct run *r)
             take_turn(m, who, next, r);
         else
             break;
-        if (r->goal.kind != GOAL_NONE && reached(m, &r->goal))
+        if (r->goal.kind != VM_GOAL_NONE && reached(m, &r->goal))
             come(r, moment_of(m, &r->goal));
     }
     if (!r->stopped) {
@@ -342,9 +322,9 @@ static void run(struct vm_machine *m, struct run *r)
     vm_raster_advance(m, m->now);
 }
 
-static bool run_to(struct vm_machine *m, uint64_t limit, enum goal_kind kind, uint64_t count)
+bool vm_run_goal(struct vm_machine *m, uint64_t limit, struct vm_goal goal)
 {
-    struct run r = {.until = limit, .goal = {kind, count, 0, false}};
+    struct run r = {.until = limit, .goal = goal};
     run(m, &r);
     return r.came;
 }
@@ -354,7 +334,7 @@ static bool run_to(struct vm_machine *m, uint64_t limit, enum goal_kind kind, ui
 
 void vm_machine_run(struct vm_machine *m, uint64_t until)
 {
-    run_to(m, until, GOAL_NONE, 0);
+    vm_run_goal(m, until, (struct vm_goal){.kind = VM_GOAL_NONE});
 }
 
 void vm_machine_trace(struct vm_machine *m, uint64_t until, const struct vm_hooks *hooks)
@@ -376,55 +356,6 @@ bool vm_machine_watch(struct vm_machine *m, uint64_t until, const struct rv_hook
     run(m, &r);
     m->hooks = (struct vm_hooks){0};
     return r.stopped;
-}
-
-bool vm_machine_run_refresh(struct vm_machine *m, uint64_t limit)
-{
-    return run_to(m, limit, GOAL_REFRESH, m->refreshes.last.number);
-}
-
-bool vm_machine_run_stop(struct vm_machine *m, uint64_t limit)
-{
-    return run_to(m, limit, GOAL_STOP, m->stops);
-}
-
-bool vm_machine_run_console(struct vm_machine *m, uint64_t limit)
-{
-    return run_to(m, limit, GOAL_CONSOLE, 0);
-}
-
-bool vm_machine_run_mark(struct vm_machine *m, uint32_t mark, uint64_t limit)
-{
-    struct run r = {.until = limit, .goal = {GOAL_MARK, m->marks, mark, false}};
-    run(m, &r);
-    return r.came;
-}
-
-bool vm_machine_run_end(struct vm_machine *m, uint64_t limit)
-{
-    return run_to(m, limit, GOAL_END, 0);
-}
-
-bool vm_machine_run_retired(struct vm_machine *m, uint64_t retired, uint64_t limit)
-{
-    return run_to(m, limit, GOAL_RETIRED, retired);
-}
-
-bool vm_machine_run_words(struct vm_machine *m, uint64_t words, uint64_t limit)
-{
-    return run_to(m, limit, GOAL_WORDS, words);
-}
-
-bool vm_run_drawn(struct vm_machine *m, uint64_t limit)
-{
-    return run_to(m, limit, GOAL_DRAWN, m->strokes);
-}
-
-bool vm_run_timing(struct vm_machine *m, uint64_t limit)
-{
-    struct run r = {.until = limit, .goal = {GOAL_TIMING, m->raster.origin, 0, m->raster.on}};
-    run(m, &r);
-    return r.came;
 }
 
 void vm_machine_step(struct vm_machine *m)

@@ -1,14 +1,52 @@
-/* machine_steps.c — steps within words and frames: to the end of a stroke, to the next line. */
+/* machine_steps.c — steps of each kind; those within words and frames: to the end of a stroke, to the next line. */
 #include "emu/machine_parts.h"
+
+/* ---- strokes ------------------------------------------------------------------------------------
+ */
+
+static bool moves(const struct crt_stroke *s)
+{
+    return s->x0 != s->x1 || s->y0 != s->y1;
+}
+
+/* Pieces of one vector (crt/piece.h), which are one stroke: the later goes on where the former ends, and just
+ * one of the two is at rest. */
+static bool joined(const struct crt_stroke *s, const struct crt_stroke *next)
+{
+    return next->t0 == s->t1 && next->x0 == s->x1 && next->y0 == s->y1 &&
+           next->source == s->source && moves(s) != moves(next);
+}
+
+/* The piece that goes on where s ends; NULL: it is a stroke's last. */
+static const struct crt_stroke *rest_of(const struct vm_machine *m, const struct crt_stroke *s)
+{
+    for (int i = 0; i < VM_STROKES_KEPT; i++)
+        if (joined(s, &m->recent[i]))
+            return &m->recent[i];
+    return NULL;
+}
 
 /* When the first of the strokes delivered so far that is not over yet ends. */
 static uint64_t next_end(const struct vm_machine *m)
 {
-    uint64_t first = VM_NEVER;
+    const struct crt_stroke *first = NULL, *rest;
     for (int i = 0; i < VM_STROKES_KEPT; i++)
-        if (m->recent[i].t1 > m->now && m->recent[i].t1 < first)
-            first = m->recent[i].t1;
-    return first;
+        if (m->recent[i].t1 > m->now && (!first || m->recent[i].t1 < first->t1))
+            first = &m->recent[i];
+    while (first && (rest = rest_of(m, first)))
+        first = rest;
+    return first ? first->t1 : VM_NEVER;
+}
+
+uint64_t vm_machine_stroke_before(const struct vm_machine *m, uint64_t t)
+{
+    uint64_t last = 0;
+    for (int i = 0; i < VM_STROKES_KEPT; i++) {
+        const struct crt_stroke *s = &m->recent[i];
+        if (s->t1 < t && s->t1 > last && !rest_of(m, s))
+            last = s->t1;
+    }
+    return last;
 }
 
 /* The same of a recording, which is known beforehand. */
@@ -19,6 +57,8 @@ static uint64_t next_played_end(const struct vm_machine *m)
     while (i > 0 && r->strokes[i - 1].t1 > m->now)
         i--;
     while (i < r->count && r->strokes[i].t1 <= m->now)
+        i++;
+    while (i + 1 < r->count && joined(&r->strokes[i], &r->strokes[i + 1]))
         i++;
     return i < r->count ? r->strokes[i].t1 : VM_NEVER;
 }
@@ -55,6 +95,9 @@ bool vm_machine_beam(const struct vm_machine *m, double *x, double *y, bool *lit
     return true;
 }
 
+/* ---- lines --------------------------------------------------------------------------------------
+ */
+
 /* When the line after the one under way begins. */
 static uint64_t next_line(const struct vm_machine *m)
 {
@@ -77,4 +120,24 @@ bool vm_machine_run_line(struct vm_machine *m, uint64_t limit)
         if (m->raster.on)
             return true;
     }
+}
+
+/* ---- all ----------------------------------------------------------------------------------------
+ */
+
+bool vm_machine_run_unit(struct vm_machine *m, enum vm_unit unit, uint64_t limit)
+{
+    switch (unit) {
+    case VM_UNIT_INSTRUCTION:
+        return vm_machine_run_retired(m, rv_retired(&m->desc.board->cpu) + 1, limit);
+    case VM_UNIT_WORD:
+        return vm_machine_run_words(m, m->dpu.words + 1, limit);
+    case VM_UNIT_REFRESH:
+        return vm_machine_run_refresh(m, limit);
+    case VM_UNIT_STROKE:
+        return vm_machine_run_stroke(m, limit);
+    case VM_UNIT_LINE:
+        return vm_machine_run_line(m, limit);
+    }
+    return false;
 }

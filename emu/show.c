@@ -13,6 +13,8 @@
 #define LONGEST_FRAME_S 0.05 /* a late frame does not make the machine hurry after it */
 #define IDLE_S          0.05 /* how long a paused window sleeps between looks at the file */
 #define DEBUGGER_MS     4    /* how long a held machine waits for a silent debugger, each frame */
+#define CRAWL           0.01 /* time scale below which a tick is a second and more */
+#define LONG_DARK_S     5.0
 #define POLL_S          0.3
 #define ROM_S           12.0
 #define RECORD_S        5.0 /* between saves of what is done */
@@ -126,6 +128,45 @@ static void run_frame(struct vm_show *show, double now)
         show->quit = true;
 }
 
+/* ---- slow motion --------------------------------------------------------------------------------
+ */
+
+/* In slow motion the first picture would be minutes away: the show begins where the next refresh does once one is
+ * complete, or not at all where none comes within a second. */
+static void begin_slowly(struct vm_show *show)
+{
+    const struct vm_machine *m = show->program->rig.machine;
+    uint64_t from = m->now;
+    if (show->scale >= CRAWL || show->desc->gdb || show->program->input.is_recording)
+        return;
+    uint64_t end = next_refresh(show);
+    vm_show_run(show, show->program, end);
+    while (!only_raster(m) && m->dpu.state != DF_RUNNING && m->now < end + CRT_PS_PER_S / 10)
+        vm_show_run(show, show->program, m->tick_time + 1);
+    for (int i = 1; i < show->sides; i++)
+        vm_show_run(show, show->side[i], m->now);
+    for (int i = 0; i < show->sides; i++)
+        show->side[i]->from += m->now - from;
+}
+
+/* A dark stretch that takes long at this pace is told, with the key that ends it. */
+static void tell_dark(struct vm_show *show)
+{
+    const struct vm_machine *m = show->program->rig.machine;
+    bool dark = m->has_program || m->desc.board ? m->dpu.state != DF_RUNNING : false;
+    double left = (double)(m->tick_time - m->now) / (double)CRT_PS_PER_S / show->scale;
+    char text[120];
+    if (!dark || show->paused || show->scale >= CRAWL || left < LONG_DARK_S || only_raster(m) ||
+        show->dark_told == m->ticks)
+        return;
+    show->dark_told = m->ticks;
+    snprintf(text, sizeof text,
+             "nothing is drawn for the next %.0f s at this pace: Right Ctrl S skips to the next "
+             "tick",
+             left);
+    vm_hud_message(show->hud, text, vm_window_time(), 10);
+}
+
 /* ---- the program ------------------------------------------------------------------------------
  */
 
@@ -200,7 +241,7 @@ static void loop(struct vm_show *show)
     while (!show->quit) {
         int width, height;
         vm_window_size(show->window, &width, &height);
-        if (show->paused || width <= 0)
+        if (show->paused || show->covered || width <= 0)
             vm_window_wait(show->window, IDLE_S);
         else
             vm_window_poll(show->window);
@@ -208,11 +249,17 @@ static void loop(struct vm_show *show)
             vm_show_event(show, &event);
         vm_show_hand_flush(show);
         double now = vm_window_time();
+        if (show->covered) {
+            show->last_time = now;
+            vm_show_draw(show, now);
+            continue;
+        }
         look_after_program(show, now);
         double before = show->last_time;
         run_frame(show, now);
         vm_show_calm(show, fmin(now - before, LONGEST_FRAME_S));
         vm_show_note(show);
+        tell_dark(show);
         vm_show_scope_watch(show);
         vm_show_scope(show, now);
         vm_show_status(show, now);
@@ -227,10 +274,11 @@ static void loop(struct vm_show *show)
 static bool open_all(struct vm_show *show, struct crt_error *err)
 {
     const struct vm_show_desc *d = show->desc;
-    show->window = vm_window_open(d->size.width, d->size.height, show->sides, "kinescope", err);
+    int sides = vm_show_most_sides(d);
+    show->window = vm_window_open(d->size.width, d->size.height, sides, "kinescope", err);
     if (!show->window)
         return false;
-    for (int i = 0; i < show->sides * VM_HEADS; i++) {
+    for (int i = 0; i < sides * VM_HEADS; i++) {
         struct crt_glass **glass = &show->glass[i / VM_HEADS][i % VM_HEADS];
         *glass = crt_glass_create(vm_window_loader(show->window), err);
         if (!*glass)
@@ -252,7 +300,7 @@ static void close_all(struct vm_show *show)
         vm_show_close(show->side[i]);
     if (show->hud)
         vm_hud_destroy(show->hud);
-    for (int i = 0; i < show->sides * VM_HEADS; i++)
+    for (int i = 0; i < VM_SIDES * VM_HEADS; i++)
         if (show->glass[i / VM_HEADS][i % VM_HEADS])
             crt_glass_destroy(show->glass[i / VM_HEADS][i % VM_HEADS]);
     if (show->window)
@@ -287,14 +335,18 @@ int vm_show(const struct vm_show_desc *desc, struct crt_error *err)
         show->shutter = desc->shutter;
         show->no_flash = desc->no_flash;
         show->rom = -1;
+        show->begins = true;
         show->unit = VM_UNIT_REFRESH;
         show->touring = desc->path == NULL;
         ok = show->touring ? vm_roms_find(&show->roms, desc->roms, err) : check_program(desc, err);
     }
     ok = ok && open_all(show, err);
     if (ok)
-        ok = show->touring ? vm_show_tour(show, 1, err) : vm_show_open(show, desc->path, NULL, err);
+        ok = desc->lesson    ? vm_show_page(show, 0, err)
+             : show->touring ? vm_show_tour(show, 1, err)
+                             : vm_show_open(show, desc->path, NULL, err);
     if (ok) {
+        begin_slowly(show);
         vm_show_welcome(show);
         show->recording = desc->record != NULL;
         show->last_time = vm_window_time();

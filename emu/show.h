@@ -42,7 +42,10 @@ struct vm_show_options {
 };
 #define VM_SHOW_TABLES 2 /* that fill it */
 
+struct vm_show_lesson;
+
 struct vm_show_desc {
+    const struct vm_show_lesson *lesson;             /* NULL: none; this is its first page's */
     const char *path;                                /* NULL: the tour */
     const char *roms;                                /* folder of the tour, NULL: look for it */
     const struct vm_show_options *options[VM_SIDES]; /* the second NULL: one machine */
@@ -60,6 +63,20 @@ struct vm_show_desc {
     bool latency;       /* say in the end how late hands were seen */
     const char *record; /* file for what is done in the window; NULL: none */
     struct vm_gdb *gdb; /* a debugger may come here; NULL: none */
+};
+
+/* Pages that follow each other in one window, each as its own desc says, but for window size and full screen. */
+struct vm_show_page {
+    struct vm_show_desc desc;
+    const char *title, *caption;   /* UTF-8 */
+    bool flashes;                  /* the first that does waits behind the warning */
+    const struct crt_image *still; /* shown in place of the program; NULL: it runs */
+};
+struct vm_show_lesson {
+    const struct vm_show_page *page;
+    int count;
+    const char *warning;
+    bool projector; /* larger letters */
 };
 
 int vm_show(const struct vm_show_desc *desc, struct crt_error *err);
@@ -136,16 +153,26 @@ struct vm_show {
     int rom;
     double rom_since; /* host time */
 
+    /* A lesson (show_lesson.c). */
+    int page;
+    bool begins;        /* nothing has been shown of the desc's program: --load-state is for it */
+    bool captioned;     /* Right Ctrl T */
+    bool covered;       /* nothing runs behind a page of text or a picture */
+    bool warning;       /* which is the warning */
+    bool warning_known; /* it was shown */
+
     /* Pace. */
     double scale, remainder_ps, last_time;
     bool paused, step, skip, quit;
     enum vm_unit unit;         /* of steps */
+    uint64_t dark_told;        /* tick before the dark stretch that was told last */
     double speed, speed_since; /* measured: simulated seconds a second */
     uint64_t speed_from;
 
-    uint64_t shutter; /* ps; 0: the time that a picture stands for */
-    bool gain_auto;   /* goes down as exposures get short */
-    int gain;         /* power of two, when not */
+    uint64_t shutter;       /* ps; 0: the time that a picture stands for */
+    bool gain_auto;         /* goes down as exposures get short: */
+    int gain_now[VM_HEADS]; /* to that power of two, by now */
+    int gain;               /* power of two, when not automatic */
 
     struct vm_scope scope;
     bool why_shown; /* a panel that any key closes, about a place */
@@ -196,6 +223,15 @@ void vm_show_close(struct vm_shown *program);
 void vm_show_reload(struct vm_show *show, bool force);
 bool vm_show_tour(struct vm_show *show, int step, struct crt_error *err);
 
+/* show_lesson.c: how many machines a window has to have room for; opens a page; N, P: false, it is no lesson;
+ * Right Ctrl T; another program is shown. */
+int vm_show_most_sides(const struct vm_show_desc *desc);
+bool vm_show_page(struct vm_show *show, int page, struct crt_error *err);
+bool vm_show_turn_page(struct vm_show *show, int step);
+void vm_show_caption(struct vm_show *show, bool shown);
+/* What is a page's that covers the program, or is not for anybody then: true. */
+bool vm_show_page_event(struct vm_show *show, const struct vm_event *event);
+
 /* show_sides.c: the part of the window that shows a head's tube; false: it is not shown. */
 bool vm_show_part(const struct vm_show *show, int side, int head, struct crt_glass_part *part);
 /* The captions over two sides. */
@@ -236,8 +272,9 @@ void vm_show_say_shutter(struct vm_show *show);
 void vm_show_describe_shutter(uint64_t shutter, char *text, size_t size);
 /* The head looked at on the left side, of two the vector head. */
 int vm_show_main_head(const struct vm_show *show);
-/* Of what a head shows: a power of two; as "x1/32". */
+/* Of what a head shows: a power of two; as "x1/32". After each picture gain follows it. */
 int vm_show_gain(const struct vm_show *show, int head);
+void vm_show_follow_gain(struct vm_show *show);
 void vm_show_describe_gain(int gain, char *text, size_t size);
 void vm_show_toggle_gain(struct vm_show *show);
 void vm_show_turn_gain(struct vm_show *show, int direction);
@@ -278,8 +315,9 @@ void vm_show_scope_close(struct vm_show *show);
 /* Beside the screenshot `name` (without .png): the plot and the figures. */
 bool vm_show_scope_save(struct vm_show *show, const char *name, struct crt_error *err);
 
-/* show_why.c: a click with Right Ctrl, or what closes its panel: true. */
+/* show_why.c: a click with Right Ctrl, or a key of the program's that only closes its panel: true. */
 bool vm_show_why_event(struct vm_show *show, const struct vm_event *event);
+void vm_show_why_close(struct vm_show *show);
 void vm_show_mark_asked(struct vm_show *show);
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event);

@@ -39,6 +39,7 @@ static void look(struct vm_show *show)
 void vm_show_develop(struct vm_show *show)
 {
     look(show);
+    vm_show_follow_gain(show);
     if (!show->no_flash)
         vm_show_upload(show);
 }

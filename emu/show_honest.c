@@ -5,11 +5,12 @@
 #include "emu/show.h"
 
 #define USUAL_HZ 60.0 /* of a monitor that does not tell */
-#define WARN_LOW                                                                                   \
-    3.0 /* Hz: flashes that may set off seizures (WCAG 2.2, 2.3.1: more than three a second; most */
-#define WARN_HIGH                                                                                  \
-    30.0 /* photosensitive people react to 15 to 25 Hz: Fisher et al., Epilepsia 46 (2005) 1426 */
-#define WARN_PART 0.1 /* amplitude over the mean, as in WCAG's definition of a flash */
+/* Hz: flashes that may set off seizures. WCAG 2.2, 2.3.1: more than three a second; most photosensitive people
+ * react to 15 to 25 Hz (Fisher et al., Epilepsia 46 (2005) 1426). */
+#define WARN_LOW  3.0
+#define WARN_HIGH 30.0
+/* Amplitude over the mean, as in WCAG's definition of a flash. */
+#define WARN_PART 0.1
 #define HARMONICS 8
 #define WELCOME_S 9.0
 #define WARNING_S 15.0
@@ -24,6 +25,15 @@ void vm_show_welcome(struct vm_show *show)
 {
     char text[400];
     double hz = vm_window_refresh_hz(show->window);
+    const struct vm_shown *p = show->program;
+    if (p->from > 0 && !show->desc->saved->load) {
+        snprintf(text, sizeof text,
+                 "F1 help.  Slow motion began at %.1f ms, with a refresh; Right Ctrl S skips time "
+                 "in which nothing is drawn, F7 and F8 change the pace.",
+                 (double)p->from / (double)CRT_PS_PER_MS);
+        vm_hud_message(show->hud, text, vm_window_time(), WELCOME_S);
+        return;
+    }
     snprintf(
         text, sizeof text,
         "F1 help.  %s shows %.0f pictures a second, so flicker of that rate and above cannot be "
@@ -57,7 +67,8 @@ double vm_show_flash_hz(const struct crt_phosphor *phosphor, double refresh_hz, 
     return 0;
 }
 
-/* How often a point of the head's screen is lit, as a rule; 0: not known. Two fields of interlaced lines lie so
+/* How often a point of the head's screen is lit, as a rule, by refresh: that a program blinks is not seen
+ * beforehand; 0: not known. Two fields of interlaced lines lie so
  * close that an area is lit by each. */
 static double lit_hz(const struct vm_shown *p, int head)
 {

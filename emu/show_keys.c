@@ -35,7 +35,8 @@ static const char *const help[] = {
     "S\tskip the dark time to the next refresh (for slow motion)",
     "R\tload the file again (it is loaded when it changes, too)",
     "1\treal time again",
-    "N P\tnext and previous program of the tour",
+    "N P\tnext and previous program of the tour, page of the lesson",
+    "T\tcaption of the lesson: shown, hidden",
     "Q\tquit",
     "Flicker as fast as this monitor's pictures cannot be seen here as on the tube: slow motion "
     "and the "
@@ -193,6 +194,8 @@ static void screenshot(struct vm_show *show)
 static void tour(struct vm_show *show, int direction)
 {
     struct crt_error err;
+    if (vm_show_turn_page(show, direction))
+        return;
     if (!vm_show_tour(show, direction, &err))
         vm_show_say(show, err.text);
 }
@@ -252,6 +255,9 @@ static void chord(struct vm_show *show, enum vm_key key)
     case 'P':
         tour(show, key == 'N' ? 1 : -1);
         break;
+    case 'T':
+        vm_show_caption(show, !show->captioned);
+        break;
     case 'Q':
         show->quit = true;
         break;
@@ -299,9 +305,10 @@ static void function_key(struct vm_show *show, int f, unsigned modifiers)
 static void drop(struct vm_show *show, const char *path)
 {
     struct crt_error err;
-    if (vm_show_open(show, path, NULL, &err))
+    if (vm_show_open(show, path, NULL, &err)) {
         show->touring = false;
-    else
+        vm_show_caption(show, false);
+    } else
         vm_hud_message(show->hud, err.text, vm_window_time(), 20);
 }
 
@@ -317,7 +324,7 @@ static bool is_guests(const struct vm_show *show, const struct vm_event *event)
 
 void vm_show_event(struct vm_show *show, const struct vm_event *event)
 {
-    if (vm_show_why_event(show, event))
+    if (vm_show_page_event(show, event) || vm_show_why_event(show, event))
         return;
     switch (event->kind) {
     case VM_EVENT_CLOSE:

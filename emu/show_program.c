@@ -91,8 +91,8 @@ static bool build(struct vm_show *show, int side, struct vm_shown *p, const char
         return false;
     if (d->console && p->rig.console && side == 0)
         p->rig.console->desc = vm_terminal_console(&show->terminal);
-    /* --load-state is for the program that the show begins with. */
-    if (!show->program && !vm_saved_load(d->saved, &p->rig, &p->settings, &p->input, err))
+    /* --load-state is for the program that the show, or a page of a lesson, begins with. */
+    if (show->begins && !vm_saved_load(d->saved, &p->rig, &p->settings, &p->input, err))
         return false;
     p->from = p->rig.machine->now;
     p->view = p->settings.view;
@@ -170,11 +170,15 @@ bool vm_show_open(struct vm_show *show, const char *path, const char *tube, stru
     if (!prepare_all(show, path, tube, side, err))
         return false;
     end_record(show);
+    vm_show_why_close(show);
     vm_show_scope_close(show);
-    for (int i = 0; i < show->sides; i++) {
+    show->begins = false;
+    for (int i = 0; i < VM_SIDES; i++) {
         vm_show_close(show->side[i]);
         show->side[i] = side[i];
     }
+    if (show->scope.side >= show->sides)
+        show->scope.side = 0;
     struct vm_shown *program = show->program = show->side[0];
     vm_show_first_hand(show);
     show->film_ready = false;
@@ -236,6 +240,7 @@ void vm_show_reload(struct vm_show *show, bool force)
         vm_hud_message(show->hud, err.text, vm_window_time(), 20);
         return;
     }
+    vm_show_why_close(show);
     vm_input_free(&show->program->input);
     show->program->input = input;
     note_time(show);

@@ -43,7 +43,6 @@ void vm_show_scope_close(struct vm_show *show)
 static bool put_on(struct vm_show *show, struct crt_error *err)
 {
     struct vm_scope *s = &show->scope;
-    struct crt_screen screen;
     struct vm_probe_place place = {.head = s->head,
                                    .kind = s->kind,
                                    .area_mm = DISC_MM,
@@ -51,14 +50,7 @@ static bool put_on(struct vm_show *show, struct crt_error *err)
                                    .x_mm = s->x_mm,
                                    .y_mm = s->y_mm};
     struct vm_rig *rig = &show->side[s->side]->rig;
-    const struct vm_machine *m = rig->machine;
-    screen = m->dpu.desc.screen;
-    if (s->head == VM_RASTER)
-        screen = (struct crt_screen){m->raster.desc.width_mm, m->raster.desc.height_mm,
-                                     m->raster.timing.h.visible, m->raster.timing.v.visible};
-    crt_mm_to_units(&screen, s->x_mm, s->y_mm, &place.x, &place.y);
-    if (s->head == VM_RASTER)
-        place.y = screen.units_y - 1 - place.y;
+    vm_machine_units(rig->machine, (enum inp_screen)s->head, s->x_mm, s->y_mm, &place.x, &place.y);
     take_off(s);
     return vm_probe_open(&s->probe, rig, &place, err);
 }
@@ -196,7 +188,7 @@ static void put_figure(char text[24], double v)
     snprintf(text, 24, v >= 1000 ? "%.0f" : v >= 100 ? "%.1f" : v >= 1 ? "%.2f" : "%.3f", v);
 }
 
-static void describe(const struct vm_scope *s, char text[CAPTION_MAX])
+static void describe_light(const struct vm_scope *s, char text[CAPTION_MAX])
 {
     const struct vm_probe_report *r = &s->report;
     const struct crt_waveform_figures *f = &r->figures;
@@ -218,6 +210,19 @@ static void describe(const struct vm_scope *s, char text[CAPTION_MAX])
              f->hz, mean, peak, f->c[0], f->percent_flicker, r->cff_hz,
              r->flickers ? "FLICKERS" : "steady", crt_fields_deg[s->probe.viewer.field],
              r->settled ? "" : "  (not settled)");
+}
+
+/* Of two machines, whose light it is, too. */
+static void describe(const struct vm_show *show, char text[CAPTION_MAX])
+{
+    const struct vm_scope *s = &show->scope;
+    char light[CAPTION_MAX];
+    describe_light(s, light);
+    snprintf(text, CAPTION_MAX, "%s%.200s",
+             show->sides < 2 ? ""
+             : s->side       ? "right: "
+                             : "left: ",
+             light);
 }
 
 /* The curve, with 0 at its end. */
@@ -254,8 +259,8 @@ static struct vm_size picture_size(const struct vm_show *show)
 {
     int width, height;
     vm_window_size(show->window, &width, &height);
-    int w = width * 2 / 5, h;
-    w = w < 300 ? 300 : w > 640 ? 640 : w;
+    int w = width * 3 / 10, h;
+    w = w < 240 ? 240 : w > 560 ? 560 : w;
     h = w * 5 / 9;
     return (struct vm_size){w, h};
 }
@@ -327,7 +332,7 @@ void vm_show_scope(struct vm_show *show, double now)
         return;
     }
     if (look(show, &image, &err)) {
-        describe(s, caption);
+        describe(show, caption);
         vm_hud_picture(show->hud, &image, caption);
         crt_image_free(&image);
     }

@@ -11,8 +11,11 @@
 
 #define GAIN_LEAST (-24) /* powers of two */
 #define GAIN_MOST  8
-#define FRESH_STOPS                                                                                \
-    2 /* automatic gain: what was just drawn is so much brighter than in real time */
+/* Automatic gain: what was just drawn is so much brighter than in real time. */
+#define FRESH_STOPS 2
+/* It follows what it should be by that only when it is further away, or pictures of times that differ a little
+ * would flash. */
+#define FOLLOW_STOPS 0.75
 
 /* ---- exposing ------------------------------------------------------------------------------------
  */
@@ -37,7 +40,7 @@ static bool film(struct vm_show *show, struct vm_shown *p, struct vm_frame *fram
 
 static bool get_ready(struct vm_shown *p, struct crt_error *err)
 {
-    if (!p->sliding && vm_frame_init(&p->piece, &p->rig, err))
+    if (!p->sliding && (p->piece.heads || vm_frame_init(&p->piece, &p->rig, err)))
         p->sliding = vm_sliding_create(&p->rig, err);
     return p->sliding != NULL;
 }
@@ -184,7 +187,7 @@ static double early(const struct crt_phosphor *p, double t)
 
 /* How much brighter than in a whole refresh what was just drawn is in a shorter exposure, as a power of two; less
  * what the tone curve bears, so that what fades stays in sight, too. */
-static int excess(const struct vm_show *show, const struct vm_shown *shown, int head)
+static double excess(const struct vm_show *show, const struct vm_shown *shown, int head)
 {
     const struct crt_phosphor *p = &shown->settings.monitor[head].phosphor;
     const struct crt_film *f = &shown->frame.film[head];
@@ -192,19 +195,24 @@ static int excess(const struct vm_show *show, const struct vm_shown *shown, int 
     double exposure = (double)(f->t1 - f->t0) / (double)CRT_PS_PER_S;
     if (!show->film_ready || !f->complete || exposure <= 0 || exposure >= refresh / 2)
         return 0;
-    int stops = (int)floor(log2(early(p, exposure) * refresh) + 0.5) - FRESH_STOPS;
-    return stops > 0 ? stops : 0;
+    return fmax(log2(early(p, exposure) * refresh) - FRESH_STOPS, 0);
 }
 
 /* Two machines are shown by one gain, so that they can be compared. */
+void vm_show_follow_gain(struct vm_show *show)
+{
+    for (int h = 0; h < VM_HEADS; h++) {
+        double most = 0;
+        for (int i = 0; i < show->sides; i++)
+            most = fmax(most, excess(show, show->side[i], h));
+        if (fabs(most + show->gain_now[h]) > FOLLOW_STOPS)
+            show->gain_now[h] = -(int)floor(most + 0.5);
+    }
+}
+
 int vm_show_gain(const struct vm_show *show, int head)
 {
-    int most = 0;
-    for (int i = 0; i < show->sides; i++) {
-        int one = excess(show, show->side[i], head);
-        most = one > most ? one : most;
-    }
-    int gain = show->gain_auto ? -most : show->gain;
+    int gain = show->gain_auto ? show->gain_now[head] : show->gain;
     return gain < GAIN_LEAST ? GAIN_LEAST : gain;
 }
 

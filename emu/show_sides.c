@@ -17,10 +17,11 @@ static struct crt_glass_part side_part(const struct vm_show *show, int side)
     int width, height;
     vm_window_size(show->window, &width, &height);
     struct crt_glass_part part = {0, 0, width, height, width, height};
+    part.h = height - vm_hud_slide_height(show->hud, width, height);
     if (show->sides == 1)
         return part;
     part.y = vm_hud_strip(width, height);
-    part.h = height - part.y;
+    part.h -= part.y;
     part.w = (width - SIDES_GAP) / 2;
     part.x = side == 0 ? 0 : width - part.w;
     return part;
@@ -61,8 +62,10 @@ void vm_show_name_sides(struct vm_show *show)
 {
     struct vm_versus_side side[VM_SIDES];
     char text[VM_SIDES][VM_VERSUS_CAPTION];
-    if (show->sides < 2)
+    if (show->sides < 2) {
+        vm_hud_sides(show->hud, NULL, NULL);
         return;
+    }
     for (int i = 0; i < VM_SIDES; i++)
         side[i] = (struct vm_versus_side){
             show->desc->tables[i], VM_SHOW_TABLES, &show->side[i]->settings,

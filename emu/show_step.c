@@ -1,4 +1,4 @@
-/* show_step.c — stepping by an instruction, a display word or a refresh, in both directions. */
+/* show_step.c — stepping in both directions: by a refresh, a display word, an instruction, a stroke, a scan line. */
 #include <stdio.h>
 
 #include "emu/cpu/rv_disasm.h"
@@ -54,40 +54,19 @@ static struct place place_of(const struct vm_shown *p)
 static bool forward(struct vm_show *show, struct crt_error *err)
 {
     struct vm_machine *m = show->program->rig.machine;
-    uint64_t limit = m->now + PATIENCE_PS;
-    bool came = false;
-    switch (show->unit) {
-    case VM_UNIT_INSTRUCTION:
-        came = vm_machine_run_retired(m, rv_retired(&m->desc.board->cpu) + 1, limit);
-        break;
-    case VM_UNIT_WORD:
-        came = vm_machine_run_words(m, m->dpu.words + 1, limit);
-        break;
-    case VM_UNIT_REFRESH:
-        came = vm_machine_run_refresh(m, limit);
-        break;
-    case VM_UNIT_STROKE:
-        came = vm_machine_run_stroke(m, limit);
-        break;
-    case VM_UNIT_LINE:
-        came = vm_machine_run_line(m, limit);
-        break;
-    }
-    return came || crt_fail(err, "no %s within a second of simulated time", unit_names[show->unit]);
+    return vm_machine_run_unit(m, show->unit, m->now + PATIENCE_PS) ||
+           crt_fail(err, "no %s within a second of simulated time", unit_names[show->unit]);
 }
 
 /* The oscilloscope sees the refreshes. */
 static void run_watched(struct vm_show *show, struct vm_shown *p, uint64_t until)
 {
+    struct vm_scope *scope = &show->scope;
     struct vm_machine *m = p->rig.machine;
-    if (!show->scope.placed || show->side[show->scope.side] != p) {
+    if (scope->probe.diode && show->side[scope->side] == p)
+        vm_probe_run(&scope->probe, m, until);
+    else
         vm_machine_run(m, until > m->now ? until : m->now);
-        return;
-    }
-    while (m->now < until && vm_machine_run_refresh(m, until))
-        vm_show_scope_watch(show);
-    if (m->now < until)
-        vm_machine_run(m, until);
 }
 
 /* Goes to `place`, which is past or present, once more, with the light of the shutter's time, or
@@ -142,15 +121,6 @@ static void describe_instruction(const struct rv_cpu *cpu, char *text, size_t si
         snprintf(text, size, "nothing");
 }
 
-/* Those that have ended; a word's are delivered before they are drawn. */
-static unsigned long long strokes_over(const struct vm_machine *m)
-{
-    uint64_t coming = 0;
-    for (int i = 0; i < VM_STROKES_KEPT; i++)
-        coming += m->recent[i].t1 > m->now;
-    return (unsigned long long)(m->strokes - coming);
-}
-
 static void say_place(struct vm_show *show)
 {
     const struct vm_machine *m = show->program->rig.machine;
@@ -166,8 +136,9 @@ static void say_place(struct vm_show *show)
     if (show->unit == VM_UNIT_WORD)
         snprintf(text, sizeof text, "display word %llu, next at %06o, %s",
                  (unsigned long long)m->dpu.words, m->dpu.dpc, time);
-    if (show->unit == VM_UNIT_STROKE)
-        snprintf(text, sizeof text, "stroke %llu, %s", strokes_over(m), time);
+    const struct crt_stroke *stroke = show->unit == VM_UNIT_STROKE ? vm_machine_stroke(m) : NULL;
+    if (stroke)
+        snprintf(text, sizeof text, "stroke of word %06o, %s", (unsigned)stroke->source, time);
     if (show->unit == VM_UNIT_LINE && ras_head_beam(&m->raster, m->now, &line, &dot))
         snprintf(text, sizeof text, "scan line %u, %s", (unsigned)line, time);
     if (show->unit == VM_UNIT_REFRESH)
@@ -176,12 +147,19 @@ static void say_place(struct vm_show *show)
     vm_show_say(show, text);
 }
 
+static bool remembered(const struct vm_show *show)
+{
+    bool all = true;
+    for (int i = 0; i < show->sides; i++)
+        all &= show->side[i]->history != NULL;
+    return all;
+}
+
 void vm_show_look_again(struct vm_show *show)
 {
-    struct vm_shown *p = show->program;
-    const struct place place = place_of(p);
+    const struct place place = place_of(show->program);
     struct crt_error err;
-    if (show->paused && p->history && !expose(show, &place, &err))
+    if (show->paused && remembered(show) && !expose(show, &place, &err))
         vm_show_say(show, err.text);
 }
 
@@ -191,7 +169,7 @@ void vm_show_step(struct vm_show *show, int direction)
     struct crt_error err;
     show->paused = true;
     show->speed_since = 0;
-    if (!p->history) {
+    if (!remembered(show)) {
         vm_show_say(show, p->input.is_recording ? "a recording has nothing to step by"
                                                 : "there is no memory to remember the run");
         return;

@@ -3,36 +3,13 @@
 #include <string.h>
 
 #include "emu/lab/why_text.h"
+#include "emu/plain.h"
 #include "emu/show.h"
 
 #define COLUMNS 56
 #define LINES   24
 #define MARK    6.0  /* pixels */
 #define LEAST   0.01 /* smaller shares are summed up */
-
-/* The hud has ASCII letters only. */
-static const struct {
-    const char *from, *to;
-} plain[] = {{"²", "2"}, {"µ", "u"}, {"×", "x"},   {"°", " deg"}, {"·", "-"},
-             {"–", "-"}, {"−", "-"}, {"…", "..."}, {"≥", ">="},   {"≤", "<="}};
-
-static void put_plain(const char *text, char *out, size_t size)
-{
-    size_t n = 0;
-    while (*text && n + 5 < size) {
-        size_t i = 0, count = sizeof plain / sizeof *plain;
-        while (i < count && strncmp(text, plain[i].from, strlen(plain[i].from)) != 0)
-            i++;
-        if (i == count) {
-            out[n++] = *text++;
-            continue;
-        }
-        memcpy(out + n, plain[i].to, strlen(plain[i].to));
-        n += strlen(plain[i].to);
-        text += strlen(plain[i].from);
-    }
-    out[n] = '\0';
-}
 
 struct lines {
     char *line[LINES];
@@ -45,7 +22,7 @@ static void keep(void *ctx, const char *line)
     char text[200];
     if (l->count == LINES)
         return;
-    put_plain(line, text, sizeof text);
+    vm_plain(line, text, sizeof text);
     l->line[l->count] = strdup(text);
     l->count += l->line[l->count] != NULL;
 }
@@ -107,8 +84,10 @@ static void ask(struct vm_show *show, double x, double y)
     vm_why_free(&why);
 }
 
-static void close_panel(struct vm_show *show)
+void vm_show_why_close(struct vm_show *show)
 {
+    if (!show->why_shown)
+        return;
     show->why_shown = false;
     vm_hud_help(show->hud, false, NULL, 0);
     vm_hud_help_side(show->hud, VM_HUD_MIDDLE);
@@ -122,11 +101,11 @@ bool vm_show_why_event(struct vm_show *show, const struct vm_event *event)
     bool asks = event->kind == VM_EVENT_BUTTON && event->u.button.chord;
     if (!asks && !(show->why_shown && pressed))
         return false;
-    if (show->why_shown && pressed)
-        close_panel(show);
+    if (pressed)
+        vm_show_why_close(show);
     if (asks && pressed)
         ask(show, event->x, event->y);
-    return asks || key;
+    return asks || event->kind == VM_EVENT_GUEST_KEY;
 }
 
 void vm_show_mark_asked(struct vm_show *show)

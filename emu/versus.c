@@ -157,7 +157,7 @@ static void item_text(const char *item, const struct vm_versus_side *side, enum 
     const struct vm_option *row = row_of(side->tables, side->table_count, item, length, &target);
     const char *name = row ? row->name : "";
     if (strcmp(name, "tube") == 0)
-        snprintf(text, size, "%s", s->monitor[head].row.name);
+        snprintf(text, size, "%s %s", s->monitor[head].row.name, s->monitor[head].phosphor.name);
     else if (strcmp(name, "phosphor") == 0)
         snprintf(text, size, "%s", s->monitor[head].phosphor.name);
     else if (strcmp(name, "refresh") == 0)
@@ -184,17 +184,18 @@ static void join(char *text, const char *part)
         snprintf(text + n, VM_VERSUS_CAPTION - n, "%s%s", n ? " \xC2\xB7 " : "", part);
 }
 
+/* What was asked to differ and does not is said as such. */
 static void join_all(const struct vm_versus *v, const struct vm_versus_side side[VM_SIDES],
-                     bool same_too, char text[VM_SIDES][VM_VERSUS_CAPTION])
+                     char text[VM_SIDES][VM_VERSUS_CAPTION])
 {
     for (int i = 0; i < v->count; i++) {
-        char part[2][96];
+        char part[2][96], both[104];
         for (int k = 0; k < 2; k++)
             item_text(v->item[i] + 2, &side[k], side[1].settings->main, part[k], sizeof part[k]);
-        if (same_too || strcmp(part[0], part[1]) != 0) {
-            join(text[0], part[0]);
-            join(text[1], part[1]);
-        }
+        bool same = strcmp(part[0], part[1]) == 0;
+        snprintf(both, sizeof both, "both %s", part[0]);
+        for (int k = 0; k < 2; k++)
+            join(text[k], same ? both : part[k]);
     }
 }
 
@@ -202,7 +203,5 @@ void vm_versus_captions(const struct vm_versus *v, const struct vm_versus_side s
                         char text[VM_SIDES][VM_VERSUS_CAPTION])
 {
     text[0][0] = text[1][0] = '\0';
-    join_all(v, side, false, text);
-    if (!text[0][0] && !text[1][0])
-        join_all(v, side, true, text);
+    join_all(v, side, text);
 }

@@ -46,14 +46,6 @@ void vm_history_mark(struct vm_history *h);
 /* Forgets all and begins here: another program, another snapshot was loaded. */
 void vm_history_forget(struct vm_history *h);
 
-enum vm_unit {
-    VM_UNIT_INSTRUCTION,
-    VM_UNIT_WORD,
-    VM_UNIT_REFRESH,
-    VM_UNIT_STROKE, /* of the vector head: ends of lit pieces of the beam's path */
-    VM_UNIT_LINE    /* of the raster head: where lines begin, blanked ones, too */
-};
-
 /* Goes back by n instructions of the processor, n words of the display processor, or to the n-th end
  * of a refresh before here (from within a refresh the first is where it began), of a stroke, or beginning of
  * a line, that is earlier than now. False and a sentence: not that

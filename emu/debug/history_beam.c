@@ -17,24 +17,14 @@ static bool go_to(struct vm_history *h, struct vm_machine *m, uint64_t t, uint64
     return true;
 }
 
-/* The last end of a stroke before t; 0: not known. */
-static uint64_t known_end(const struct vm_machine *m, uint64_t t)
-{
-    uint64_t last = 0;
-    for (int i = 0; i < VM_STROKES_KEPT; i++)
-        if (m->recent[i].t1 < t && m->recent[i].t1 > last)
-            last = m->recent[i].t1;
-    return last;
-}
-
-/* The same, if need be by looking again how it went; m is at t then. */
+/* The last end of a stroke before t, if need be found by looking again how it went; m is at t then. 0: not known. */
 static uint64_t end_before(struct vm_history *h, struct vm_machine *m, uint64_t t)
 {
-    uint64_t end = known_end(m, t);
+    uint64_t end = vm_machine_stroke_before(m, t);
     for (uint64_t before = LONGEST_WORD; end == 0 && before <= 10 * CRT_PS_PER_S; before *= 10) {
         if (!go_to(h, m, t, before))
             return 0;
-        end = known_end(m, t);
+        end = vm_machine_stroke_before(m, t);
     }
     return end;
 }

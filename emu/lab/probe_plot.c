@@ -74,6 +74,17 @@ static void mark_refreshes(const struct vm_probe *p, uint64_t t0, uint64_t t1,
                                                                  i == first ? "refresh" : NULL};
 }
 
+/* The least of the curve once it has been brightest: what was before the first light is no part of a decay. */
+static double least_after_peak(const struct vm_probe_wave *wave)
+{
+    double least = 0, peak = 0;
+    for (size_t i = 0; i < wave->count; i++) {
+        least = wave->cd_m2[i] >= peak ? wave->cd_m2[i] : fmin(least, wave->cd_m2[i]);
+        peak = fmax(peak, wave->cd_m2[i]);
+    }
+    return least;
+}
+
 static bool draw(const struct vm_probe *p, uint64_t t0, uint64_t t1,
                  const struct vm_probe_report *r, const struct vm_probe_look *look,
                  const struct vm_probe_wave *wave, const double *x, struct crt_image *image,
@@ -87,9 +98,9 @@ static bool draw(const struct vm_probe *p, uint64_t t0, uint64_t t1,
     snprintf(label, sizeof label, t0 ? "time after %s, ms" : "time%.0s, ms", from);
     plot.x = (struct vm_plot_axis){label, false, 0, ms_after(t1, t0)};
     panel->y = (struct vm_plot_axis){"luminance, cd/m²", look->log, 0, 0};
-    if (look->log && r->figures.peak_cd_m2 > 0) { /* darkness has no logarithm: four decades */
+    if (look->log && r->figures.peak_cd_m2 > 0) { /* darkness has no logarithm: five decades at most */
         panel->y.high = r->figures.peak_cd_m2 * 1.5;
-        panel->y.low = fmax(r->figures.least_cd_m2 / 1.5, panel->y.high * 1e-5);
+        panel->y.low = fmax(least_after_peak(wave) / 1.5, panel->y.high * 1e-5);
     } else {
         panel->y.high = r->figures.peak_cd_m2 > 0 ? r->figures.peak_cd_m2 * 1.05 : 1;
     }

@@ -40,13 +40,20 @@ static bool push(struct vm_source_lines *l, const struct row *row)
     return true;
 }
 
+static bool is_printable(const char *text)
+{
+    while ((unsigned char)*text >= ' ' && *text != 0x7F)
+        text++;
+    return *text == '\0';
+}
+
 /* "./roms/hello.c" is "roms/hello.c"; libraries were built in folders that are no longer there. */
 static const char *file_of(Dwarf_Line *line)
 {
     const char *file = dwarf_linesrc(line, NULL, NULL);
     while (file && (strncmp(file, "./", 2) == 0 || strncmp(file, "../", 3) == 0))
         file += file[1] == '/' ? 2 : 3;
-    return file ? file : "?";
+    return file && is_printable(file) ? file : "?";
 }
 
 /* The rows of one table, in order of address, each up to the next. Code that the linker has thrown away
@@ -78,8 +85,10 @@ static bool take_tables(struct vm_source_lines *l)
     size_t count = 0;
     int more;
     while ((more = dwarf_next_lines(l->dwarf, at, &next, &unit, NULL, NULL, &lines, &count)) == 0) {
-        if (!take_table(l, lines, count) || next <= at)
+        if (!take_table(l, lines, count))
             return false;
+        if (next <= at)
+            break;
         at = next;
     }
     return true; /* what was before a bad table is good */

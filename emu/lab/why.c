@@ -44,14 +44,7 @@ struct vm_why_place vm_why_at_mm(const struct vm_machine *m, enum vm_head head, 
                                  double y_mm)
 {
     struct vm_why_place place = {.head = head, .x_mm = x_mm, .y_mm = y_mm};
-    const struct ras_timing *timing = &m->raster.timing;
-    struct crt_screen screen = m->dpu.desc.screen;
-    if (head == VM_RASTER)
-        screen = (struct crt_screen){m->raster.desc.width_mm, m->raster.desc.height_mm,
-                                     timing->h.visible, timing->v.visible};
-    crt_mm_to_units(&screen, x_mm, y_mm, &place.x, &place.y);
-    if (head == VM_RASTER)
-        place.y = screen.units_y - 1 - place.y;
+    vm_machine_units(m, (enum inp_screen)head, x_mm, y_mm, &place.x, &place.y);
     return place;
 }
 

@@ -12,7 +12,7 @@ void vm_why_short_head(struct vm_why_writer *w)
 {
     const struct vm_why *why = w->why;
     char text[160], when[40];
-    vm_format_seconds(why->t, when, sizeof when);
+    snprintf(when, sizeof when, "%.6f s", (double)why->t / (double)CRT_PS_PER_S);
     snprintf(text, sizeof text, "(%.5g, %.5g) at %s: ", why->place.x, why->place.y, when);
     size_t n = strlen(text);
     if (why->luminance >= VM_WHY_DARK)

@@ -87,6 +87,8 @@ bool vm_lesson_live(const struct vm_lesson *lesson, int i, struct vm_lesson_live
             .command = line->text,
             .caption = line->caption >= 0 ? lesson->line[line->caption].text : step->heading,
             .step = line->step,
+            .line = j,
+            .caption_line = line->caption,
             .flashes = step->flashes >= 0,
         };
         return true;

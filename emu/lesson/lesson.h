@@ -98,6 +98,7 @@ struct vm_lesson_live {
     const char *command; /* "run …" */
     const char *caption; /* its own, else the heading of its step; may quote figures */
     int step;
+    int line, caption_line; /* the line of the command, of its own caption (-1: it has none) */
     bool flashes; /* between 3 and 30 Hz: warn before */
 };
 int vm_lesson_live_count(const struct vm_lesson *lesson);

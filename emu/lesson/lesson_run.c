@@ -176,12 +176,17 @@ static void finish(struct runner *r, struct job *job, int status)
 
 /* ---- all of them ----------------------------------------------------------------------------- */
 
-/* Steps to the next line that has a command. */
+static bool wanted(const struct runner *r, const struct vm_lesson_line *line)
+{
+    return vm_lesson_runs(line) && (!r->how->steps || r->how->steps[line->step]);
+}
+
+/* Steps to the next line that has a command to be run. */
 static bool next(struct runner *r)
 {
     for (; r->lesson < r->count; r->lesson++, r->line = 0)
         for (; r->line < r->results[r->lesson].lesson->lines; r->line++)
-            if (vm_lesson_runs(&r->results[r->lesson].lesson->line[r->line]))
+            if (wanted(r, &r->results[r->lesson].lesson->line[r->line]))
                 return true;
     return false;
 }

@@ -19,6 +19,7 @@ struct vm_lesson_run {
     bool projector;
     bool progress; /* a line on standard error that overwrites itself */
     void (*tell)(const struct crt_error *sentence);
+    const bool *steps; /* of the only lesson: which are run; NULL: all */
 };
 
 /* Folders must exist, `results[i].folder` absolute. False: something went wrong, and was told. */

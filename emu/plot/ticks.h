@@ -18,7 +18,7 @@
 
 struct vm_tick {
     double at;
-    char label[40];
+    char label[48];
 };
 
 struct vm_ticks {

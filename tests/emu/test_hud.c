@@ -220,6 +220,27 @@ static void help_fits_any_window(void **state)
 }
 
 /* A cross with an open middle, where it was asked for and nowhere else. */
+/* A panel at an edge lies where status and messages would: they come back after it. */
+static void a_panel_at_the_edge_is_alone(void **state)
+{
+    (void)state;
+    static const char *const lines[] = {"one", "two"};
+    struct vm_hud *hud = new_hud();
+    bool changed;
+    vm_hud_status(hud, "a status line that is a good deal wider than the panel");
+    struct vm_box status = extent(vm_hud_draw(hud, 800, 800, 0, &changed), 800, 800);
+    vm_hud_message(hud, "a message", 0, 4);
+    vm_hud_help_side(hud, VM_HUD_BOTTOM);
+    vm_hud_help(hud, true, lines, 2);
+    struct vm_box panel = extent(vm_hud_draw(hud, 800, 800, 0, &changed), 800, 800);
+    assert_true(panel.w < 200 && panel.h < 100 && panel.y > 650);
+    vm_hud_help(hud, false, NULL, 0);
+    vm_hud_message(hud, "", 0, 0);
+    struct vm_box again = extent(vm_hud_draw(hud, 800, 800, 0, &changed), 800, 800);
+    assert_memory_equal(&again, &status, sizeof status);
+    vm_hud_destroy(hud);
+}
+
 static void the_beams_mark_leaves_its_place_free(void **state)
 {
     (void)state;
@@ -295,6 +316,7 @@ int main(void)
         cmocka_unit_test(status_lies_at_the_bottom_in_dots_that_suit_the_window),
         cmocka_unit_test(a_message_fades_and_goes),
         cmocka_unit_test(help_fits_any_window),
+        cmocka_unit_test(a_panel_at_the_edge_is_alone),
         cmocka_unit_test(the_beams_mark_leaves_its_place_free),
         cmocka_unit_test(marks_are_cut_off_at_the_rim),
         cmocka_unit_test(a_picture_lies_in_the_corner),

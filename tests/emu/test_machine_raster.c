@@ -1,5 +1,7 @@
 /* The raster head in the machine: what a program reads and when, which stores a line shows, interrupts,
  * frames as refreshes, copies and snapshots; against closed forms. */
+#include <math.h>
+
 #include "crt/state.h"
 #include "emu/settings.h"
 #include "emu/view.h"
@@ -388,6 +390,29 @@ static void a_new_timing_begins_with_a_line(void **state)
     tear_down_both(r);
 }
 
+/* A dot's middle lies as far into the picture as it is of all dots; and the other way round. */
+static void places_are_in_dots_and_millimetres(void **state)
+{
+    (void)state;
+    static const uint32_t code[] = {JUMP_BACK(0)};
+    struct both *r = set_up_both(code, COUNT(code));
+    const struct vm_machine *m = r->b->m;
+    const struct ras_timing *t = &m->raster.timing;
+    double width = m->raster.desc.width_mm, height = m->raster.desc.height_mm;
+    for (int i = 0; i < 200; i++) {
+        double x = i * 7.3 - 40, y = i * 5.9 - 60, x_mm, y_mm, x_again, y_again;
+        vm_machine_place(m, INP_RASTER, x, y, &x_mm, &y_mm);
+        assert_true(fabs(x_mm - ((x + 0.5) / t->h.visible - 0.5) * width) < 1e-4);
+        assert_true(fabs(y_mm - (0.5 - (y + 0.5) / t->v.visible) * height) < 1e-4);
+        vm_machine_units(m, INP_RASTER, x_mm, y_mm, &x_again, &y_again);
+        assert_true(fabs(x_again - x) < 1e-3 && fabs(y_again - y) < 1e-3);
+        vm_machine_place(m, INP_VECTOR, x, y, &x_mm, &y_mm);
+        vm_machine_units(m, INP_VECTOR, x_mm, y_mm, &x_again, &y_again);
+        assert_true(fabs(x_again - x) < 1e-3 && fabs(y_again - y) < 1e-3);
+    }
+    tear_down_both(r);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -400,6 +425,7 @@ int main(void)
         cmocka_unit_test(an_interlaced_frame_is_two_fields),
         cmocka_unit_test(the_bus_takes_what_the_map_says),
         cmocka_unit_test(a_boot_begins_with_an_empty_buffer),
+        cmocka_unit_test(places_are_in_dots_and_millimetres),
         cmocka_unit_test(every_line_is_a_step),
         cmocka_unit_test(a_new_timing_begins_with_a_line),
     };

@@ -15,8 +15,11 @@ static const uint16_t words[] = {
     'A' | 'g' << 8,
     '.' | '#' << 8,
     DF_MODE(DF_MODE_LONG) | DF_SGM_LINE | DF_LINE_DOTDASH,
-    LIT | 900,
+    LIT | 700,
     300,
+    DF_MODE(DF_MODE_LONG) | DF_SGM_LINE | DF_LINE_SOLID,
+    LIT | DF_SIGN_X | 300,
+    200,
     DF_MODE(DF_MODE_POINT) | DF_SGM_LINE | DF_LINE_SOLID,
     LIT | 500,
     500,
@@ -24,6 +27,10 @@ static const uint16_t words[] = {
     500,
     DF_STOP,
 };
+
+#define DASHED    7 /* words that vectors begin with */
+#define SOLID     10
+#define VECTOR(s) ((s)->source == 01000 + 2 * DASHED || (s)->source == 01000 + 2 * SOLID)
 
 static struct vm_machine *start(void)
 {
@@ -66,35 +73,61 @@ static void run_seen(struct seen *seen, uint64_t until)
     free(m);
 }
 
+/* Ends of strokes: all that is lit without a break by one word of the program above, whose words each draw points
+ * apart, dashes apart, or one whole vector. */
+static size_t ends_of(const struct seen *seen, uint64_t ends[])
+{
+    size_t count = 0;
+    for (size_t i = 0; i < seen->count; i++) {
+        const struct crt_stroke *s = &seen->stroke[i], *next = s + 1;
+        bool goes_on =
+            i + 1 < seen->count && next->t0 == s->t1 && next->source == s->source && VECTOR(s);
+        if (!goes_on)
+            ends[count++] = s->t1;
+    }
+    return count;
+}
+
 static void every_stroke_is_a_step(void **state)
 {
     static struct seen seen;
+    static uint64_t ends[COUNT(seen.stroke)];
     (void)state;
+    seen.count = 0;
     run_seen(&seen, 50 * MS);
+    size_t count = ends_of(&seen, ends), whole = 0;
     struct vm_machine *m = start();
-    assert_true(seen.count > 3 * 60);
-    for (size_t i = 0; i < seen.count; i++) {
+    assert_true(count > 3 * 60);
+    for (size_t i = 0; i < count; i++) {
         assert_true(vm_machine_run_stroke(m, CRT_PS_PER_S));
-        assert_int_equal(m->now, seen.stroke[i].t1);
+        assert_int_equal(m->now, ends[i]);
+        assert_int_equal(vm_machine_stroke_before(m, m->now + 1), ends[i]);
+        if (i > 0 && ends[i] - ends[i - 1] < 100 * US)
+            assert_int_equal(vm_machine_stroke_before(m, m->now), ends[i - 1]);
+        whole += vm_machine_stroke(m)->source == 01000 + 2 * SOLID;
     }
+    /* One step for each vector, with its rests: three refreshes. */
+    assert_int_equal(whole, 3);
     free(m);
 }
 
 static void strokes_under_way_are_steps_too(void **state)
 {
     static struct seen seen;
+    static uint64_t ends[COUNT(seen.stroke)];
     (void)state;
     seen.count = 0;
     run_seen(&seen, 80 * MS);
+    ends_of(&seen, ends);
     struct vm_machine *m = start();
     uint64_t random = 12345;
     while (m->now < 45 * MS) {
         random = random * UINT64_C(6364136223846793005) + 1;
         vm_machine_run(m, m->now + (random >> 33) % (50 * US));
         size_t next = 0;
-        while (seen.stroke[next].t1 <= m->now)
+        while (ends[next] <= m->now)
             next++;
-        uint64_t end = seen.stroke[next].t1;
+        uint64_t end = ends[next];
         if (random >> 62 == 0) {
             assert_false(vm_machine_run_stroke(m, end - 1));
             assert_int_equal(m->now, end - 1 > m->now ? end - 1 : m->now);

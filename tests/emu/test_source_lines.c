@@ -209,6 +209,21 @@ static void what_is_no_table_has_no_lines(void **state)
     assert_null(vm_source_lines_open(b.at, b.count));
 }
 
+/* A terminal must not be told to do things by a file's name. */
+static void names_are_printable(void **state)
+{
+    (void)state;
+    struct bytes b = file();
+    size_t at = 0;
+    while (memcmp(b.at + at, "first.c", 7) != 0)
+        at++;
+    b.at[at + 2] = 0x1B;
+    struct vm_source_lines *l = vm_source_lines_open(b.at, b.count);
+    is_line(l, BASE, "?", 10);
+    is_line(l, BASE + 12, "roms/second.c", 41);
+    vm_source_lines_free(l);
+}
+
 /* Whatever is damaged, what is found are lines of some file. */
 static void damage_is_survived(void **state)
 {
@@ -228,7 +243,8 @@ static void damage_is_survived(void **state)
         int line = 0;
         for (uint32_t a = BASE; a < BASE + 0x50; a += 4) {
             const char *name = vm_source_line(l, a, &line);
-            assert_true(!name || strlen(name) < 4096);
+            for (; name && *name; name++)
+                assert_true((unsigned char)*name >= ' ' && *name != 0x7F);
         }
         vm_source_lines_free(l);
         free(exact);
@@ -240,6 +256,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(rows_are_found),
         cmocka_unit_test(what_is_no_table_has_no_lines),
+        cmocka_unit_test(names_are_printable),
         cmocka_unit_test(damage_is_survived),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -248,6 +248,58 @@ static void pictures_that_flash(void **state)
     assert_true(flash("P31", 61, 1, 0) <= 0);               /* beats once a second */
 }
 
+/* The gain that a picture of so many seconds is shown by, after the one before. */
+static int gain_of(struct vm_show *show, double exposure_s)
+{
+    for (int h = 0; h < VM_HEADS; h++) {
+        struct crt_film *film = &show->program->frame.film[h];
+        film->t0 = CRT_PS_PER_S;
+        film->t1 = film->t0 + (uint64_t)(exposure_s * (double)CRT_PS_PER_S);
+        film->complete = true;
+    }
+    vm_show_follow_gain(show);
+    return vm_show_gain(show, VM_VECTOR);
+}
+
+/* By closed form: of a flash's light the part that comes within the exposure, per second; two stops more. */
+static double gain_wanted(const struct crt_phosphor *p, double exposure_s)
+{
+    double sum = 0;
+    for (int i = 0; i < p->terms; i++)
+        sum -= p->term[i].w * expm1(-exposure_s / p->term[i].tau_s);
+    return fmin(2 - log2(sum / exposure_s / 60), 0);
+}
+
+/* It follows the exposure, but pictures of times that differ by a little are all shown by one gain. */
+static void automatic_gain_is_steady(void **state)
+{
+    (void)state;
+    struct vm_show *show = calloc(1, sizeof *show);
+    struct vm_shown *shown = calloc(1, sizeof *shown);
+    assert_true(show && shown);
+    show->side[0] = show->program = shown;
+    show->sides = 1;
+    show->film_ready = show->gain_auto = true;
+    shown->rate_hz = 60;
+    for (int h = 0; h < VM_HEADS; h++)
+        shown->settings.monitor[h].phosphor = *crt_phosphor_find("P31");
+    for (double exposure = 8e-3; exposure > 1e-6; exposure *= 0.93) {
+        double wanted = gain_wanted(&shown->settings.monitor[0].phosphor, exposure);
+        gain_of(show, 5e-3);
+        int gain = gain_of(show, exposure);
+        assert_true(fabs(gain - wanted) <= 0.76);
+        int changes = 0;
+        for (int i = 0; i < 60; i++) {
+            int next = gain_of(show, exposure * (1 + 0.08 * sin(i)));
+            changes += next != gain;
+            gain = next;
+        }
+        assert_true(changes <= 1);
+    }
+    free(shown);
+    free(show);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -257,6 +309,7 @@ int main(void)
         cmocka_unit_test(another_time_begins_anew),
         cmocka_unit_test(flashes_are_taken_out),
         cmocka_unit_test(pictures_that_flash),
+        cmocka_unit_test(automatic_gain_is_steady),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

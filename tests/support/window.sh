@@ -31,7 +31,7 @@ for tool in Xvfb xdotool; do
     fi
 done
 
-Xvfb -displayfd 3 -noreset -screen 0 1024x768x24 3>display 2>xvfb.log &
+Xvfb -displayfd 3 -noreset -screen 0 1024x768x24 -fbdir . 3>display 2>xvfb.log &
 server=$!
 tries=0
 while [ ! -s display ] && [ $tries -lt 100 ]; do sleep 0.1 && tries=$((tries + 1)); done
@@ -70,6 +70,15 @@ press() {
 chord() {
     xdotool keydown Control_R key "$1" keyup Control_R
     sleep 0.3
+}
+
+# steady: what is seen on the X server's screen stays the same for half a second, to the last bit.
+steady() {
+    cp Xvfb_screen0 then
+    for i in 1 2 3 4 5; do
+        sleep 0.1
+        cmp -s Xvfb_screen0 then || return 1
+    done
 }
 
 tag() { # KEYWORD FILE: a text chunk of a PNG written by kinescope

@@ -11,6 +11,7 @@
 #include "emu/lesson/lesson_folder.h"
 #include "emu/lesson/lesson_page.h"
 #include "emu/lesson/lesson_run.h"
+#include "emu/lesson_live.h"
 #include "emu/out_file.h"
 #include "emu/progress.h"
 #include "emu/roms.h"
@@ -22,7 +23,8 @@
 struct options {
     const char *out, *roms;
     long limit_s;
-    bool projector, no_flash;
+    bool projector, no_flash, live, full_screen;
+    struct vm_size size;
 };
 
 #define ROW(field) offsetof(struct options, field)
@@ -35,6 +37,14 @@ static const struct vm_option rows[] = {
     {"projector", 0, VM_OPT_FLAG, ROW(projector), "", "large type and high contrast", 0, 0},
     {"no-flash", 0, VM_OPT_FLAG, ROW(no_flash), "",
      "nothing live that flashes between 3 and 30 Hz: its plots instead", 0, 0},
+    {"live", 0, VM_OPT_FLAG, ROW(live), "",
+     "what it has to show live in a window, one page after the other, with captions: Right Ctrl N "
+     "and P turn pages",
+     0, 0},
+    {"size", 0, VM_OPT_SIZE, ROW(size), "WxH", "size of the window; default fits the monitor", 0,
+     0},
+    {"full-screen", 0, VM_OPT_FLAG, ROW(full_screen), "", "the window begins on the full screen", 0,
+     0},
     {"limit", 0, VM_OPT_INTEGER, ROW(limit_s), "SECONDS",
      "end a command that takes longer by the clock on the wall; default 900", 1, 1000000},
     {"roms", 0, VM_OPT_STRING, ROW(roms), "DIR", "folder of the programs and of " FOLDER "/", 0, 0},
@@ -277,15 +287,33 @@ static int processors(void)
     return n < 1 ? 1 : n > 8 ? 8 : (int)n;
 }
 
+static struct vm_lesson_run how_to_run(const struct asked *a)
+{
+    return (struct vm_lesson_run){.roms = a->roms,
+                                  .at_once = processors(),
+                                  .limit_s = (unsigned)a->o.limit_s,
+                                  .projector = a->look.projector,
+                                  .progress = isatty(STDERR_FILENO) == 1,
+                                  .tell = tell};
+}
+
+static int show_live(const struct asked *a, struct crt_error *err)
+{
+    const struct vm_lesson_run run = how_to_run(a);
+    const struct vm_lesson_live_desc live = {.lesson = a->folder.lesson,
+                                             .count = a->folder.count,
+                                             .run = &run,
+                                             .no_flash = a->look.no_flash,
+                                             .size = a->o.size,
+                                             .full_screen = a->o.full_screen};
+    int status = vm_lesson_live_show(&live, err);
+    return status && err->text[0] ? fail(status, err) : status;
+}
+
 static int run_lessons(struct asked *a, bool all, struct crt_error *err)
 {
     struct vm_lesson_results *results = calloc((size_t)a->folder.count, sizeof *results);
-    struct vm_lesson_run run = {a->roms,
-                                processors(),
-                                (unsigned)a->o.limit_s,
-                                a->look.projector,
-                                isatty(STDERR_FILENO) == 1,
-                                tell};
+    struct vm_lesson_run run = how_to_run(a);
     int status = VM_EXIT_TROUBLE;
     snprintf(a->page, sizeof a->page, "%s.html", all ? "index" : a->folder.lesson[0].name);
     if (!results)
@@ -314,7 +342,13 @@ static int serve(struct asked *a, const char *name, struct crt_error *err)
     else if (list && a->o.out) {
         crt_fail(err, "-o is for lessons that are run: give a name, or all");
         status = fail(VM_EXIT_USAGE, err);
-    } else if (list)
+    } else if (a->o.live && (list || a->o.out)) {
+        crt_fail(err, list ? "--live is for lessons that are shown: give a name, or all"
+                           : "--live shows a lesson in a window; leave out -o");
+        status = fail(VM_EXIT_USAGE, err);
+    } else if (a->o.live)
+        status = show_live(a, err);
+    else if (list)
         status = print_list(&a->folder);
     else
         status = a->o.out ? run_lessons(a, all, err) : print_texts(a, err);
@@ -343,8 +377,8 @@ static int run(int argc, char **argv)
 
 const struct vm_command vm_command_lesson = {
     "lesson",
-    "[NAME|all|FILE.lesson] [-o DIR]",
-    "Lessons on refresh and flicker: print them, or run them into a page",
+    "[NAME|all|FILE.lesson] [-o DIR | --live]",
+    "Lessons on refresh and flicker: print them, run them into a page, or show them live",
     "A lesson is captions and a script in one text file. With -o its commands are run, what it "
     "claims is measured, and pictures, plots, tables and one page that opens offline anywhere are "
     "written. "
@@ -355,6 +389,7 @@ const struct vm_command vm_command_lesson = {
     "  kinescope lesson persistence -o out            out/persistence.html\n"
     "  kinescope lesson all -o out --projector        out/index.html, to be seen from the back "
     "row\n"
+    "  kinescope lesson persistence --live            in a window, page by page\n"
     "  kinescope lesson my.lesson -o out --no-flash   one's own",
     run,
 };
