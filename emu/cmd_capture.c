@@ -90,11 +90,6 @@ static bool check_outputs(struct vm_capture *c, struct crt_error *err)
         return crt_fail(err, "nothing is to be written; give -o OUT.png, --y4m FILE or --hash");
     if (o->out && o->y4m)
         return crt_fail(err, "-o and --y4m exclude each other");
-    size_t n = o->out ? strlen(o->out) : 0;
-    if (o->out && strcmp(o->out, "-") != 0 && strncmp(o->out, "/dev/", 5) != 0 &&
-        (n < 4 || strcasecmp(o->out + n - 4, ".png") != 0))
-        return crt_fail(
-            err, "-o %.100s: pictures are PNG files; give a name that ends in .png, or -", o->out);
     if (o->hash && ((o->out && strcmp(o->out, "-") == 0) || (o->y4m && strcmp(o->y4m, "-") == 0)))
         return crt_fail(err, "--hash prints to standard output, where the picture goes, too; give "
                              "that a file, or leave out --hash");
@@ -274,12 +269,24 @@ static int capture(struct vm_capture *c)
     return status ? fail(status, &err) : status;
 }
 
+static bool names_a_png(const char *out, struct crt_error *err)
+{
+    size_t n = out ? strlen(out) : 0;
+    if (!out || strcmp(out, "-") == 0 || strncmp(out, "/dev/", 5) == 0 ||
+        (n >= 4 && strcasecmp(out + n - 4, ".png") == 0))
+        return true;
+    return crt_fail(err, "-o %.100s: pictures are PNG files; give a name that ends in .png, or -",
+                    out);
+}
+
 static int load_and_capture(struct vm_capture *c, const char *path)
 {
     struct crt_error err;
     char *report;
     int status =
         vm_saved_check(&c->o.saved, path, &c->o.input, c->o.out ? c->o.out : c->o.y4m, &err);
+    if (status == VM_EXIT_OK && !names_a_png(c->o.out, &err))
+        status = VM_EXIT_USAGE;
     if (status)
         return fail(status, &err);
     if (!vm_input_load(&c->input, path, &c->o.input, &err, &report)) {
