@@ -7,7 +7,7 @@
 
 #include "emu/capture_parts.h"
 #include "emu/command.h"
-#include "emu/script_suits.h"
+#include "emu/program_settings.h"
 #include "emu/view.h"
 
 #define ROW(field) offsetof(struct vm_capture_options, field)
@@ -90,7 +90,7 @@ static bool check_outputs(struct vm_capture *c, struct crt_error *err)
         return crt_fail(err, "nothing is to be written; give -o OUT.png, --y4m FILE or --hash");
     if (o->out && o->y4m)
         return crt_fail(err, "-o and --y4m exclude each other");
-    if (o->hash && ((o->out && strcmp(o->out, "-") == 0) || (o->y4m && strcmp(o->y4m, "-") == 0)))
+    if (o->hash && (vm_out_is_stdout(o->out) || vm_out_is_stdout(o->y4m)))
         return crt_fail(err, "--hash prints to standard output, where the picture goes, too; give "
                              "that a file, or leave out --hash");
     if (c->strip && strcmp(o->depth, "8") != 0)
@@ -179,8 +179,7 @@ static int resolve(struct vm_capture *c, struct vm_capture_side *side, struct cr
                             vm_input_tube(&c->input), &side->settings, err);
     if (c->o.buffer) /* before it is known whether the program switches it on */
         side->settings.view = VM_VIEW_RASTER;
-    if (status == VM_EXIT_OK && !(vm_view_suits(&side->settings, &c->input, err) &&
-                                  vm_script_suits(&side->settings, &c->input, err)))
+    if (status == VM_EXIT_OK && !vm_program_suits(&side->settings, &c->input, err))
         status = VM_EXIT_USAGE;
     if (status == VM_EXIT_OK)
         status = vm_light_settings(&side->o.light, &side->settings, &side->lights, err);
@@ -272,7 +271,7 @@ static int capture(struct vm_capture *c)
 static bool names_a_png(const char *out, struct crt_error *err)
 {
     size_t n = out ? strlen(out) : 0;
-    if (!out || strcmp(out, "-") == 0 || strncmp(out, "/dev/", 5) == 0 ||
+    if (!out || vm_out_is_stdout(out) || strncmp(out, "/dev/", 5) == 0 ||
         (n >= 4 && strcasecmp(out + n - 4, ".png") == 0))
         return true;
     return crt_fail(err, "-o %.100s: pictures are PNG files; give a name that ends in .png, or -",
@@ -282,19 +281,14 @@ static bool names_a_png(const char *out, struct crt_error *err)
 static int load_and_capture(struct vm_capture *c, const char *path)
 {
     struct crt_error err;
-    char *report;
     int status =
         vm_saved_check(&c->o.saved, path, &c->o.input, c->o.out ? c->o.out : c->o.y4m, &err);
     if (status == VM_EXIT_OK && !names_a_png(c->o.out, &err))
         status = VM_EXIT_USAGE;
     if (status)
         return fail(status, &err);
-    if (!vm_input_load(&c->input, path, &c->o.input, &err, &report)) {
-        if (report)
-            fputs(report, stderr);
-        free(report);
-        return report ? VM_EXIT_TROUBLE : fail(VM_EXIT_TROUBLE, &err);
-    }
+    if (!vm_command_load(&c->input, path, &c->o.input, &err))
+        return fail(VM_EXIT_TROUBLE, &err);
     status = capture(c);
     vm_input_free(&c->input);
     return status;

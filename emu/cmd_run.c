@@ -5,8 +5,7 @@
 #include "emu/command.h"
 #include "emu/headless.h"
 #include "emu/run_options.h"
-#include "emu/script_suits.h"
-#include "emu/view.h"
+#include "emu/program_settings.h"
 
 static int fail(int status, const struct crt_error *err)
 {
@@ -61,19 +60,9 @@ static int run_headless(const struct vm_run_options *o, const char *path)
     struct vm_input input;
     struct vm_settings settings;
     struct crt_error err;
-    char *report;
-    if (!vm_input_load(&input, path, &o->input, &err, &report)) {
-        if (report)
-            fputs(report, stderr);
-        free(report);
-        return report ? VM_EXIT_TROUBLE : fail(VM_EXIT_TROUBLE, &err);
-    }
-    int status =
-        vm_settings_resolve(&o->side[0].settings, input.is_recording ? &input.header : NULL,
-                            vm_input_tube(&input), &settings, &err);
-    if (!status &&
-        !(vm_view_suits(&settings, &input, &err) && vm_script_suits(&settings, &input, &err)))
-        status = VM_EXIT_USAGE;
+    if (!vm_command_load(&input, path, &o->input, &err))
+        return fail(VM_EXIT_TROUBLE, &err);
+    int status = vm_program_settings(&o->side[0].settings, &input, &settings, &err);
     if (!status)
         status = debuggable_headless(o, path, &settings, &input, &err);
     vm_settings_free(&settings);

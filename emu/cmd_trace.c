@@ -9,7 +9,7 @@
 #include "emu/out_file.h"
 #include "emu/progress.h"
 #include "emu/saved.h"
-#include "emu/script_suits.h"
+#include "emu/program_settings.h"
 #include "emu/summary.h"
 #include "emu/trace_lines.h"
 #include "emu/trouble.h"
@@ -233,12 +233,7 @@ static int trace(struct trace *t)
 {
     struct crt_error err;
     struct crt_error closing;
-    int status =
-        vm_settings_resolve(&t->o.settings, t->input.is_recording ? &t->input.header : NULL,
-                            vm_input_tube(&t->input), &t->settings, &err);
-    if (!status && !(vm_view_suits(&t->settings, &t->input, &err) &&
-                     vm_script_suits(&t->settings, &t->input, &err)))
-        status = VM_EXIT_USAGE;
+    int status = vm_program_settings(&t->o.settings, &t->input, &t->settings, &err);
     if (!status && !vm_out_open(&t->file, t->o.out ? t->o.out : "-", &err))
         status = VM_EXIT_TROUBLE;
     t->out = t->file.file;
@@ -262,7 +257,6 @@ static int run(int argc, char **argv)
         VM_OPTION_TABLE(vm_input_rows, &t.o.input), VM_OPTION_TABLE(vm_saved_rows, &t.o.saved)};
     struct vm_args args;
     struct crt_error err;
-    char *report;
     int status = vm_command_parse(&vm_command_trace, tables, sizeof tables / sizeof *tables, argc,
                                   argv, &args, 1, 1);
     if (status >= 0)
@@ -272,12 +266,8 @@ static int run(int argc, char **argv)
     status = vm_saved_check(&t.o.saved, args.item[0], &t.o.input, t.o.out, &err);
     if (status)
         return fail(status, &err);
-    if (!vm_input_load(&t.input, args.item[0], &t.o.input, &err, &report)) {
-        if (report)
-            fputs(report, stderr);
-        free(report);
-        return report ? VM_EXIT_TROUBLE : fail(VM_EXIT_TROUBLE, &err);
-    }
+    if (!vm_command_load(&t.input, args.item[0], &t.o.input, &err))
+        return fail(VM_EXIT_TROUBLE, &err);
     enum vm_trace_what what = what_of(&t);
     if (t.input.is_recording && (t.o.summary || what != VM_TRACE_BEAM)) {
         crt_fail(&err, "%s is a recording; it has no words, only --what beam", t.input.name);

@@ -1,9 +1,26 @@
 #include "emu/command.h"
 
+#include <stdlib.h>
+
 int vm_command_fail(const struct vm_command *command, int status, const struct crt_error *err)
 {
-    fprintf(stderr, "kinescope %s: %s\n", command->name, err->text);
+    if (err->text[0])
+        fprintf(stderr, "kinescope %s: %s\n", command->name, err->text);
     return status;
+}
+
+bool vm_command_load(struct vm_input *input, const char *path,
+                     const struct vm_input_options *options, struct crt_error *err)
+{
+    char *report;
+    if (vm_input_load(input, path, options, err, &report))
+        return true;
+    if (report) {
+        fputs(report, stderr);
+        err->text[0] = '\0';
+    }
+    free(report);
+    return false;
 }
 
 static void print_help(const struct vm_command *c, const struct vm_option_table *tables,

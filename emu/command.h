@@ -7,6 +7,7 @@
 #ifndef EMU_COMMAND_H
 #define EMU_COMMAND_H
 
+#include "emu/input_file.h"
 #include "emu/options.h"
 
 #define VM_VERSION "0.1"
@@ -31,7 +32,11 @@ int vm_command_parse(const struct vm_command *command, const struct vm_option_ta
                      size_t table_count, int argc, char **argv, struct vm_args *args, int least,
                      int most);
 
-/* Prints "kinescope NAME: sentence" to stderr and returns `status`. */
+/* vm_input_load for a command: a report of the assembler goes to stderr, and err->text is empty then: all is said. */
+bool vm_command_load(struct vm_input *input, const char *path,
+                     const struct vm_input_options *options, struct crt_error *err);
+
+/* Prints "kinescope NAME: sentence" to stderr, unless all is said, and returns `status`. */
 int vm_command_fail(const struct vm_command *command, int status, const struct crt_error *err);
 
 #endif

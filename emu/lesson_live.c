@@ -15,8 +15,7 @@
 #include "emu/lesson/lesson_results.h"
 #include "emu/lesson/lesson_words.h"
 #include "emu/run_options.h"
-#include "emu/script_suits.h"
-#include "emu/view.h"
+#include "emu/program_settings.h"
 
 #define PATH 4300
 
@@ -116,12 +115,7 @@ static int check_program(const struct vm_show_desc *d, int side, struct crt_erro
         free(report);
         return VM_EXIT_TROUBLE;
     }
-    int status =
-        vm_settings_resolve(&d->options[side]->settings, input.is_recording ? &input.header : NULL,
-                            vm_input_tube(&input), &settings, why);
-    if (!status &&
-        !(vm_view_suits(&settings, &input, why) && vm_script_suits(&settings, &input, why)))
-        status = VM_EXIT_USAGE;
+    int status = vm_program_settings(&d->options[side]->settings, &input, &settings, why);
     vm_settings_free(&settings);
     vm_input_free(&input);
     return status;

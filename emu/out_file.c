@@ -8,6 +8,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+bool vm_out_is_stdout(const char *path)
+{
+    return path && strcmp(path, "-") == 0;
+}
+
 static bool cannot(const struct vm_out *out, struct crt_error *err)
 {
     const char *why = errno ? strerror(errno) : "not all of it was stored";
@@ -59,7 +64,7 @@ bool vm_out_open(struct vm_out *out, const char *path, struct crt_error *err)
     struct stat status;
     *out = (struct vm_out){.path = path};
     errno = 0;
-    if (strcmp(path, "-") == 0) {
+    if (vm_out_is_stdout(path)) {
         out->path = "standard output";
         out->file = stdout;
         return true;
@@ -127,7 +132,7 @@ bool vm_out_check(const char *path, struct crt_error *err)
     struct crt_error closing;
     struct stat status;
     bool exists = stat(path, &status) == 0;
-    if (strcmp(path, "-") == 0 || (exists && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)))
+    if (vm_out_is_stdout(path) || (exists && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode)))
         return true; /* opening a pipe or device may already mean something */
     bool ok = vm_out_open(&out, path, err);
     vm_out_close(&out, false, &closing);
@@ -137,7 +142,7 @@ bool vm_out_check(const char *path, struct crt_error *err)
 bool vm_out_spares(const char *path, const char *input, struct crt_error *err)
 {
     struct stat a, b;
-    if (!path || !input || strcmp(path, "-") == 0 || stat(path, &a) != 0 || stat(input, &b) != 0 ||
+    if (!path || !input || vm_out_is_stdout(path) || stat(path, &a) != 0 || stat(input, &b) != 0 ||
         !S_ISREG(a.st_mode) || a.st_dev != b.st_dev || a.st_ino != b.st_ino)
         return true;
     return crt_fail(err, "%.200s would be written over %.200s, which is read; give another name",

@@ -31,6 +31,9 @@ bool vm_out_open(struct vm_out *out, const char *path, struct crt_error *err);
 /* Finishes the file; without `keep` it is dropped. Also after a vm_out_open that failed. */
 bool vm_out_close(struct vm_out *out, bool keep, struct crt_error *err);
 
+/* Whether the name is "-"; NULL is none. */
+bool vm_out_is_stdout(const char *path);
+
 /* Whether the file could be written, asked before long work; it stays as it is. */
 bool vm_out_check(const char *path, struct crt_error *err);
 

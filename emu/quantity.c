@@ -177,6 +177,17 @@ bool vm_parse_real(const char *text, double low, double high, double *value, str
     return true;
 }
 
+bool vm_parse_place(const char *text, double *x, double *y, struct crt_error *err)
+{
+    const char *comma = strchr(text, ',');
+    char first[64];
+    if (!comma || (size_t)(comma - text) >= sizeof first)
+        return crt_fail(err, "'%.60s' is not X,Y, such as 512,300", text);
+    memcpy(first, text, (size_t)(comma - text));
+    first[comma - text] = '\0';
+    return vm_parse_real(first, -1e5, 1e5, x, err) && vm_parse_real(comma + 1, -1e5, 1e5, y, err);
+}
+
 bool vm_parse_integer(const char *text, long low, long high, long *value, struct crt_error *err)
 {
     char *end = NULL;

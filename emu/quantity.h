@@ -47,6 +47,8 @@ struct crt_rate vm_rate_of_hz(double hz);
 /* A finite decimal number in low … high; nothing may follow it. */
 bool vm_parse_real(const char *text, double low, double high, double *value, struct crt_error *err);
 bool vm_parse_integer(const char *text, long low, long high, long *value, struct crt_error *err);
+/* "512,300": two decimal numbers, a place in head units. */
+bool vm_parse_place(const char *text, double *x, double *y, struct crt_error *err);
 /* An octal address below 2^18. */
 bool vm_parse_octal(const char *text, uint32_t *value, struct crt_error *err);
 

@@ -311,17 +311,10 @@ static void close_all(struct vm_show *show)
 static bool check_program(const struct vm_show_desc *d, struct crt_error *err)
 {
     struct vm_input input;
-    char *report;
-    if (vm_input_load(&input, d->path, d->input, err, &report)) {
-        vm_input_free(&input);
-        return true;
-    }
-    if (report) {
-        fputs(report, stderr);
-        err->text[0] = '\0'; /* all is said */
-    }
-    free(report);
-    return false;
+    if (!vm_command_load(&input, d->path, d->input, err))
+        return false;
+    vm_input_free(&input);
+    return true;
 }
 
 int vm_show(const struct vm_show_desc *desc, struct crt_error *err)

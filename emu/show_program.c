@@ -6,7 +6,7 @@
 
 #include "crt/maths.h"
 #include "emu/record.h"
-#include "emu/script_suits.h"
+#include "emu/program_settings.h"
 #include "emu/show.h"
 
 /* sRGB of a linear value, near enough for text. */
@@ -81,8 +81,7 @@ static bool build(struct vm_show *show, int side, struct vm_shown *p, const char
     const char *glass = tube ? tube : vm_input_tube(&p->input);
     if (vm_settings_resolve(&o->settings, header, glass, &p->settings, err) ||
         vm_light_settings(&o->light, &p->settings, &p->lights, err) ||
-        !(vm_view_suits(&p->settings, &p->input, err) &&
-          vm_script_suits(&p->settings, &p->input, err)))
+        !vm_program_suits(&p->settings, &p->input, err))
         return false;
     for (int h = 0; h < VM_HEADS && show->knobs_touched; h++)
         p->settings.monitor[h].knobs = show->knobs;

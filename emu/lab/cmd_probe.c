@@ -4,9 +4,9 @@
 
 #include "emu/command.h"
 #include "emu/lab/probe_parts.h"
+#include "emu/lab/sensor_tubes.h"
 #include "emu/out_file.h"
-#include "emu/script_suits.h"
-#include "emu/view.h"
+#include "emu/program_settings.h"
 
 #define FORGOTTEN 1e-12
 
@@ -72,17 +72,9 @@ static int fail(int status, const struct crt_error *err)
 static bool read_place(const char *option, const char *text, double *x, double *y,
                        struct crt_error *err)
 {
-    const char *comma = strchr(text, ',');
-    char first[64];
-    if (comma && (size_t)(comma - text) < sizeof first) {
-        memcpy(first, text, (size_t)(comma - text));
-        first[comma - text] = '\0';
-        struct crt_error why;
-        if (vm_parse_real(first, -1e5, 1e5, x, &why) &&
-            vm_parse_real(comma + 1, -1e5, 1e5, y, &why))
-            return true;
-    }
-    return crt_fail(err, "%s: '%.60s' is not X,Y in head units, such as 512,512", option, text);
+    struct crt_error why;
+    return vm_parse_place(text, x, y, &why) ||
+           crt_fail(err, "%s: '%.60s' is not X,Y in head units, such as 512,512", option, text);
 }
 
 static bool read_along(struct vm_probe_job *job, struct crt_error *err)
@@ -174,17 +166,11 @@ static int check_files(const struct vm_probe_options *o, const char *path, struc
 
 /* ---- the run ------------------------------------------------------------------------------------ */
 
-/* The diode needs no cells. Few of them cost nothing; but a machine that is loaded or saved has all. */
 static struct vm_tubes tubes_for(const struct vm_probe_job *job)
 {
-    enum vm_view view = job->place.head == VM_RASTER ? VM_VIEW_RASTER : VM_VIEW_VECTOR;
-    struct vm_tubes tubes;
     if (job->o.saved.load || job->o.saved.save)
         return vm_settings_tubes(&job->settings, job->settings.view);
-    tubes = vm_settings_tubes(&job->settings, view);
-    struct crt_grid *grid = &tubes.desc[job->place.head].grid;
-    *grid = crt_grid_closeup(job->place.x_mm, job->place.y_mm, 8 * grid->cell_mm, 8, 8);
-    return tubes;
+    return vm_sensor_tubes(&job->settings, job->place.head, job->place.x_mm, job->place.y_mm);
 }
 
 /* What has faded but for a part of FORGOTTEN by the beginning need not be seen by the diode. */
@@ -239,7 +225,7 @@ static bool write_csv(struct vm_probe_job *job, struct vm_probe *probe, struct c
 
 bool vm_probe_to_stdout(const struct vm_probe_options *o)
 {
-    return (o->csv && strcmp(o->csv, "-") == 0) || (o->out && strcmp(o->out, "-") == 0);
+    return vm_out_is_stdout(o->csv) || vm_out_is_stdout(o->out);
 }
 
 static bool write_all(struct vm_probe_job *job, struct vm_probe *probe,
@@ -310,12 +296,7 @@ static bool see_light(struct vm_probe_job *job, struct crt_error *err)
 static int probe(struct vm_probe_job *job)
 {
     struct crt_error err;
-    int status =
-        vm_settings_resolve(&job->o.settings, job->input.is_recording ? &job->input.header : NULL,
-                            vm_input_tube(&job->input), &job->settings, &err);
-    if (!status && !(vm_view_suits(&job->settings, &job->input, &err) &&
-                     vm_script_suits(&job->settings, &job->input, &err)))
-        status = VM_EXIT_USAGE;
+    int status = vm_program_settings(&job->o.settings, &job->input, &job->settings, &err);
     if (!status)
         status = vm_probe_plan(job, &err);
     if (!status && job->signals)
@@ -335,7 +316,7 @@ static int run(int argc, char **argv)
         VM_OPTION_TABLE(vm_roms_rows, &job.o.roms)};
     struct vm_args args;
     struct crt_error err;
-    char *report, monitor[4096 + 16];
+    char monitor[4096 + 16];
     int status = vm_command_parse(&vm_command_probe, tables, sizeof tables / sizeof *tables, argc,
                                   argv, &args, 0, 1);
     if (status >= 0)
@@ -349,12 +330,8 @@ static int run(int argc, char **argv)
     status = check_files(&job.o, path, &err);
     if (status)
         return fail(status, &err);
-    if (!vm_input_load(&job.input, path, &job.o.input, &err, &report)) {
-        if (report)
-            fputs(report, stderr);
-        free(report);
-        return report ? VM_EXIT_TROUBLE : fail(VM_EXIT_TROUBLE, &err);
-    }
+    if (!vm_command_load(&job.input, path, &job.o.input, &err))
+        return fail(VM_EXIT_TROUBLE, &err);
     status = probe(&job);
     vm_input_free(&job.input);
     return status;

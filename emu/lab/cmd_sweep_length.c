@@ -182,7 +182,7 @@ static int put(const struct options *o, const struct vm_length *l, struct crt_er
 {
     struct vm_sweep_forms forms = {l, put_text, put_csv, draw, vm_plot_size};
     int status = o->write ? write_list(o, l, err) : VM_EXIT_OK;
-    if (status || (o->write && strcmp(o->write, "-") == 0))
+    if (status || vm_out_is_stdout(o->write))
         return status;
     return vm_sweep_out_put(&o->out, &forms, err);
 }
@@ -212,14 +212,8 @@ static int sweep_file(const struct options *o, const char *path, struct crt_erro
 {
     static const struct vm_input_options none;
     struct vm_input input = {0};
-    char *report;
-    if (!vm_input_load(&input, path, &none, err, &report)) {
-        if (report)
-            fprintf(stderr, "%s", report);
-        err->text[0] = report ? '\0' : err->text[0];
-        free(report);
+    if (!vm_command_load(&input, path, &none, err))
         return VM_EXIT_TROUBLE;
-    }
     int status = VM_EXIT_USAGE;
     if (input.is_recording)
         crt_fail(err, "%s is a recording, which does not grow; give a program", input.name);
@@ -241,7 +235,7 @@ static int check(const struct options *o, const char *path, struct crt_error *er
                  o->of       ? "of"
                  : o->length ? "length"
                              : "write");
-    else if (o->write && o->out.csv && strcmp(o->write, "-") == 0 && strcmp(o->out.csv, "-") == 0)
+    else if (vm_out_is_stdout(o->write) && vm_out_is_stdout(o->out.csv))
         crt_fail(err, "--write and --csv cannot both go to standard output");
     else
         return VM_EXIT_OK;

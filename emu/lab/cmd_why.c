@@ -9,7 +9,7 @@
 #include "emu/moment.h"
 #include "emu/roms.h"
 #include "emu/saved.h"
-#include "emu/script_suits.h"
+#include "emu/program_settings.h"
 #include "emu/trouble.h"
 #include "emu/view.h"
 
@@ -83,18 +83,10 @@ static int fail(int status, const struct crt_error *err)
 
 static bool take_place(struct asking *a, struct crt_error *err)
 {
-    const char *at = a->o.at, *comma = at ? strchr(at, ',') : NULL;
-    char x[64];
     struct crt_error why;
-    if (!at)
+    if (!a->o.at)
         return crt_fail(err, "no place is given: --at X,Y, such as --at 512,300");
-    if (!comma || (size_t)(comma - at) >= sizeof x)
-        return crt_fail(err, "--at: '%.60s' is not X,Y, such as 512,300", at);
-    memcpy(x, at, (size_t)(comma - at));
-    x[comma - at] = '\0';
-    return (vm_parse_real(x, -1e5, 1e5, &a->x, &why) &&
-            vm_parse_real(comma + 1, -1e5, 1e5, &a->y, &why)) ||
-           crt_fail(err, "--at: %.400s", why.text);
+    return vm_parse_place(a->o.at, &a->x, &a->y, &why) || crt_fail(err, "--at: %.400s", why.text);
 }
 
 static bool take_symbols(struct asking *a, struct crt_error *err)
@@ -219,9 +211,6 @@ static int ask(struct asking *a, struct crt_error *err)
     struct vm_why_desc desc = {&a->settings, &a->input, {0}};
     struct vm_why why;
     uint64_t t = 0;
-    if (!vm_view_suits(&a->settings, &a->input, err) ||
-        !vm_script_suits(&a->settings, &a->input, err))
-        return VM_EXIT_USAGE;
     if (!take_symbols(a, err))
         return VM_EXIT_TROUBLE;
     int status = plan(a, &desc.place, &t, err);
@@ -237,9 +226,7 @@ static int ask(struct asking *a, struct crt_error *err)
 static int answer(struct asking *a)
 {
     struct crt_error err;
-    int status =
-        vm_settings_resolve(&a->o.settings, a->input.is_recording ? &a->input.header : NULL,
-                            vm_input_tube(&a->input), &a->settings, &err);
+    int status = vm_program_settings(&a->o.settings, &a->input, &a->settings, &err);
     if (status == VM_EXIT_OK)
         status = ask(a, &err);
     vm_settings_free(&a->settings);
@@ -257,7 +244,7 @@ static int run(int argc, char **argv)
         VM_OPTION_TABLE(vm_input_rows, &a.o.input), VM_OPTION_TABLE(vm_roms_rows, &a.o.roms)};
     struct vm_args args;
     struct crt_error err;
-    char *report, monitor[4096 + 16];
+    char monitor[4096 + 16];
     int status = vm_command_parse(&vm_command_why, tables, sizeof tables / sizeof *tables, argc,
                                   argv, &args, 0, 1);
     if (status >= 0)
@@ -268,12 +255,8 @@ static int run(int argc, char **argv)
         return fail(VM_EXIT_TROUBLE, &err);
     if (!take_place(&a, &err) || !vm_input_check(&a.o.input, &err))
         return fail(VM_EXIT_USAGE, &err);
-    if (!vm_input_load(&a.input, a.path, &a.o.input, &err, &report)) {
-        if (report)
-            fputs(report, stderr);
-        free(report);
-        return report ? VM_EXIT_TROUBLE : fail(VM_EXIT_TROUBLE, &err);
-    }
+    if (!vm_command_load(&a.input, a.path, &a.o.input, &err))
+        return fail(VM_EXIT_TROUBLE, &err);
     status = answer(&a);
     vm_input_free(&a.input);
     return status;

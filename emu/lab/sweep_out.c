@@ -6,14 +6,9 @@
 
 enum { OK, TROUBLE, USAGE };
 
-static bool is_standard_output(const char *path)
-{
-    return path && strcmp(path, "-") == 0;
-}
-
 int vm_sweep_out_check(const struct vm_sweep_out *out, struct crt_error *err)
 {
-    if (is_standard_output(out->csv) && is_standard_output(out->picture)) {
+    if (vm_out_is_stdout(out->csv) && vm_out_is_stdout(out->picture)) {
         crt_fail(err, "--csv and -o cannot both go to standard output");
         return USAGE;
     }
@@ -57,7 +52,7 @@ static bool put_picture(const struct vm_sweep_out *out, const struct vm_sweep_fo
 int vm_sweep_out_put(const struct vm_sweep_out *out, const struct vm_sweep_forms *forms,
                      struct crt_error *err)
 {
-    if (!is_standard_output(out->csv) && !is_standard_output(out->picture))
+    if (!vm_out_is_stdout(out->csv) && !vm_out_is_stdout(out->picture))
         forms->text(stdout, forms->what);
     if (out->csv && !put_csv(out, forms, err))
         return TROUBLE;

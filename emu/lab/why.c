@@ -5,10 +5,9 @@
 #include <string.h>
 
 #include "crt/photodiode.h"
-#include "crt/plan.h"
-#include "crt/spot.h"
 #include "emu/command.h"
 #include "emu/debug/snapshot.h"
+#include "emu/lab/sensor_tubes.h"
 #include "emu/lab/why_record.h"
 #include "emu/lab/why_words.h"
 #include "emu/memmap.h"
@@ -29,7 +28,6 @@
 #define MOST_DEPOSITS 200000
 
 /* Cells of the planes that nobody looks at. */
-#define CELLS 8
 
 /* ---- places ---------------------------------------------------------------------------------- */
 
@@ -181,23 +179,14 @@ void vm_why_free(struct vm_why *why)
 
 /* ---- from power-on --------------------------------------------------------------------------- */
 
-static enum vm_view view_of(enum vm_head head)
-{
-    return head == VM_RASTER ? VM_VIEW_RASTER : VM_VIEW_VECTOR;
-}
-
-/* The diode needs no planes: a few cells do, unless light is to be loaded. */
+/* `whole`: with all cells, as light is to be loaded. */
 static struct vm_tubes tubes_of(const struct vm_why_desc *desc, bool whole)
 {
-    enum vm_head head = desc->place.head;
-    struct vm_tubes tubes = vm_settings_tubes(desc->settings, view_of(head));
-    double cell = crt_spot_sigma0(tubes.desc[head].row) / CRT_LEAST_SIGMA;
-    if (whole)
-        return tubes;
-    tubes.desc[head].grid =
-        crt_grid_closeup(desc->place.x_mm, desc->place.y_mm, CELLS * cell, CELLS, CELLS);
-    tubes.desc[head].threads = 1;
-    return tubes;
+    const struct vm_why_place *at = &desc->place;
+    if (!whole)
+        return vm_sensor_tubes(desc->settings, at->head, at->x_mm, at->y_mm);
+    return vm_settings_tubes(desc->settings,
+                             at->head == VM_RASTER ? VM_VIEW_RASTER : VM_VIEW_VECTOR);
 }
 
 static int run_from(struct run *r, const struct vm_why_desc *desc,
