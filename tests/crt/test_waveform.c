@@ -15,28 +15,15 @@
 
 #include "crt/spot.h"
 #include "crt/waveform.h"
+#include "tests/support/diode_rig.h"
 #include "tests/support/line_model.h"
 #include "tests/support/tube_model.h"
 
 #define PI 3.14159265358979324
-#define US CRT_PS_PER_US
-#define MS CRT_PS_PER_MS
 
 static struct crt_tube *tube_of(const struct crt_tube_row *row, const struct crt_phosphor *p)
 {
-    struct crt_error err;
-    double cell = row->spot.value / CRT_WIDTH60_SIGMA;
-    struct crt_tube_desc desc = {
-        .row = row,
-        .phosphor = p,
-        .grid = crt_grid_closeup(0, 0, 8 * cell, 8, 1),
-        .epoch = {60, 1},
-        .knobs = {0, 1, 0},
-        .threads = 1,
-    };
-    struct crt_tube *tube = crt_tube_create(&desc, &err);
-    assert_non_null(tube);
-    return tube;
+    return vector_tube(row, p, 8, 1);
 }
 
 static struct crt_photodiode *point_at(struct crt_tube *tube, double x, double y)

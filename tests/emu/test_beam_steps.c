@@ -5,24 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "emu/debug/snapshot.h"
 #include "emu/where.h"
-
-struct digest {
-    uint8_t byte[VM_SNAPSHOT_SUM];
-};
-
-static struct digest digest_of(struct bench *b)
-{
-    struct crt_state s;
-    struct digest d;
-    crt_state_save(&s);
-    vm_rig_state(&b->rig, &s);
-    assert_false(s.failed);
-    vm_snapshot_sum(s.out, s.size, d.byte);
-    crt_state_free(&s);
-    return d;
-}
+#include "tests/support/rig_digest.h"
 
 static void run_to(struct bench *b, uint64_t t)
 {
@@ -47,7 +31,7 @@ static void there_and_back(struct bench *b, enum vm_unit unit,
     for (int i = 0; i < STEPS; i++) {
         assert_true(forward(m, m->now + CRT_PS_PER_S));
         vm_history_note(b->history);
-        was[i] = digest_of(b);
+        was[i] = rig_digest(&b->rig);
         at[i] = m->now;
     }
     unsigned i = STEPS - 1;
@@ -55,7 +39,7 @@ static void there_and_back(struct bench *b, enum vm_unit unit,
         i -= hops[k];
         assert_true(vm_history_back(b->history, unit, hops[k], &err));
         assert_int_equal(m->now, at[i]);
-        struct digest is = digest_of(b);
+        struct digest is = rig_digest(&b->rig);
         assert_memory_equal(is.byte, was[i].byte, sizeof is.byte);
     }
     /* From in between, the last is where it came from. */

@@ -10,12 +10,11 @@
 #include <string.h>
 
 #include "emu/debug/history.h"
-#include "emu/debug/snapshot.h"
+#include "tests/support/rig_digest.h"
 
 #define COUNT(a) (sizeof(a) / sizeof *(a))
 #define MS       CRT_PS_PER_MS
 #define TICK     (CRT_PS_PER_S / 60)
-#define DIGEST   VM_SNAPSHOT_SUM
 
 /* A program of roms/ on a tube with a wide spot, so that there is not much to compute. */
 struct bench {
@@ -54,27 +53,10 @@ static void tear_down(struct bench *b)
     free(b);
 }
 
-struct digest {
-    uint8_t byte[DIGEST];
-};
-
-/* Of everything that is: light, registers, memory, counts. */
-static struct digest digest_of(struct bench *b)
-{
-    struct crt_state s;
-    struct digest d;
-    crt_state_save(&s);
-    vm_rig_state(&b->rig, &s);
-    assert_false(s.failed);
-    vm_snapshot_sum(s.out, s.size, d.byte);
-    crt_state_free(&s);
-    return d;
-}
-
 static void is_what_was(struct bench *b, const struct digest *was)
 {
-    struct digest is = digest_of(b);
-    assert_memory_equal(is.byte, was->byte, DIGEST);
+    struct digest is = rig_digest(&b->rig);
+    assert_memory_equal(is.byte, was->byte, sizeof was->byte);
 }
 
 /* In pieces, as a window does. */
@@ -113,7 +95,7 @@ static void back_by_words(void **state)
     run_to(b, CRT_PS_PER_S / 3);
     for (int i = 0; i < STEPS; i++) {
         one_word(b);
-        was[i] = digest_of(b);
+        was[i] = rig_digest(&b->rig);
     }
     unsigned at = STEPS - 1;
     for (size_t i = 0; i < COUNT(hops); i++) {
@@ -134,7 +116,7 @@ static void back_to_the_very_beginning(void **state)
 {
     (void)state;
     struct bench *b = set_up("roms/spin.df", 20 * MS, 0);
-    struct digest begin = digest_of(b);
+    struct digest begin = rig_digest(&b->rig);
     struct crt_error err;
     run_to(b, CRT_PS_PER_S / 4);
     uint64_t words = b->rig.machine->dpu.words;
@@ -161,7 +143,7 @@ static void refreshes_of(const char *path)
     for (int i = 0; i < REFRESHES; i++) {
         assert_true(vm_machine_run_refresh(m, UINT64_MAX / 4));
         vm_history_note(b->history);
-        was[i] = digest_of(b);
+        was[i] = rig_digest(&b->rig);
     }
     /* From the end of a refresh to that before; from within one to its own begin. */
     back(b, VM_UNIT_REFRESH, 1);
@@ -230,7 +212,7 @@ static void back_by_instructions(void **state)
     for (int i = 0; i < STEPS; i++) {
         assert_true(vm_machine_run_retired(m, rv_retired(&m->desc.board->cpu) + 1, UINT64_MAX / 4));
         vm_history_note(b->history);
-        was[i] = digest_of(b);
+        was[i] = rig_digest(&b->rig);
     }
     unsigned at = STEPS - 1;
     for (size_t i = 0; i < COUNT(hops); i++) {
@@ -257,7 +239,7 @@ static void rewound_by_the_clock(void **state)
     const struct rv_cpu *cpu = &m->desc.board->cpu;
     run_to(b, CRT_PS_PER_S / 20);
     vm_machine_run(m, m->now + 3 * MS);
-    struct digest was = digest_of(b);
+    struct digest was = rig_digest(&b->rig);
     uint64_t t = m->now, cycle = cpu->cycle;
     assert_true(vm_history_rewind(b->history, cycle));
     assert_true(cpu->cycle < cycle && t - m->now <= 20 * MS);
@@ -293,7 +275,7 @@ static void the_console_says_it_once(void **state)
     run_to(b, 5 * MS);
     unsigned printed = bytes;
     assert_true(printed > 20);
-    struct digest was = digest_of(b);
+    struct digest was = rig_digest(&b->rig);
     back(b, VM_UNIT_INSTRUCTION, 10000);
     assert_true(b->rig.console->sent < printed);
     run_to(b, 5 * MS);
@@ -323,7 +305,7 @@ static void little_memory_thins(void **state)
     for (int i = 0; i < 6; i++) {
         run_to(b, (uint64_t)(i + 1) * CRT_PS_PER_S / 2);
         assert_true(vm_machine_run_refresh(m, UINT64_MAX / 4));
-        was[i] = digest_of(b);
+        was[i] = rig_digest(&b->rig);
         number[i] = m->refreshes.last.number;
     }
     struct vm_history_extent extent = vm_history_extent(b->history);
@@ -352,13 +334,13 @@ static void what_came_from_outside_stays(void **state)
         m->memory[0100] = (uint16_t)i;
         vm_history_mark(b->history);
         assert_true(vm_machine_run_refresh(m, UINT64_MAX / 4));
-        was[i] = digest_of(b);
+        was[i] = rig_digest(&b->rig);
     }
     run_to(b, CRT_PS_PER_S);
     for (int i = 5; i >= 0; i--) {
         while (m->now > (uint64_t)(i + 1) * 97 * MS + 2 * TICK)
             back(b, VM_UNIT_REFRESH, 1);
-        while (memcmp(digest_of(b).byte, was[i].byte, DIGEST) != 0) {
+        while (memcmp(rig_digest(&b->rig).byte, was[i].byte, sizeof was[i].byte) != 0) {
             assert_true(m->now > (uint64_t)(i + 1) * 97 * MS);
             back(b, VM_UNIT_REFRESH, 1);
         }

@@ -5,6 +5,7 @@
 #include "crt/state.h"
 #include "emu/settings.h"
 #include "emu/view.h"
+#include "tests/emu/painter.h"
 #include "tests/emu/processor_rig.h"
 
 #define VIDEO(offset) (MAP_VIDEO + (offset))
@@ -118,18 +119,6 @@ static void the_beam_is_read_to_the_dot(void **state)
 }
 
 /* ---- stores and lines --------------------------------------------------------------------------- */
-
-/* Stores 1, 2, 3 … as the first pixel of every row, pitch 0, every third cycle. */
-static const uint32_t painter[] = {
-    LUI(A0, MAP_VIDEO >> 12),
-    LUI(A2, MAP_VIDEO_BUFFER >> 12),
-    SW(ZERO, A0, VIDEO_PITCH),
-    ADDI(A1, ZERO, VIDEO_CONTROL_ON),
-    SW(A1, A0, VIDEO_CONTROL), /* cycle 4 */
-    ADDI(A3, A3, 1),
-    SB(A3, A2, 0), /* cycle 6 + 3n */
-    JUMP_BACK(2),
-};
 
 #define LEFT                                                                                       \
     25 /* dots: a border of 8 mm where 640 dots are 204 mm; there a line's pixels are read */

@@ -14,25 +14,9 @@
 #define W 120
 #define H 90
 
-static struct crt_image image;
-static struct vm_ink ink;
-
-static int open_sheet(void **state)
-{
-    (void)state;
-    struct crt_error err;
-    assert_true(crt_image_init(&image, W, H, 8, &err));
-    assert_true(vm_ink_open(&ink, &image, &err));
-    return 0;
-}
-
-static int close_sheet(void **state)
-{
-    (void)state;
-    vm_ink_close(&ink);
-    crt_image_free(&image);
-    return 0;
-}
+#define INK_W W
+#define INK_H H
+#include "tests/emu/ink_rig.h"
 
 static uint32_t seed = 1;
 static double between(double low, double high)

@@ -14,25 +14,9 @@
 
 #define SIDE 400
 
-static struct crt_image image;
-static struct vm_ink ink;
-
-static int open_sheet(void **state)
-{
-    (void)state;
-    struct crt_error err;
-    assert_true(crt_image_init(&image, SIDE, SIDE, 8, &err));
-    assert_true(vm_ink_open(&ink, &image, &err));
-    return 0;
-}
-
-static int close_sheet(void **state)
-{
-    (void)state;
-    vm_ink_close(&ink);
-    crt_image_free(&image);
-    return 0;
-}
+#define INK_W SIDE
+#define INK_H SIDE
+#include "tests/emu/ink_rig.h"
 
 static void encode(uint32_t code, char text[5])
 {

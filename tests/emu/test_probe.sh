@@ -9,27 +9,8 @@ work=$TEST_OUT/probe
 rm -rf "$work"
 mkdir -p "$work"
 . "$root/tests/support/tap.sh"
-
-probe() { # exit status in $got; output in out, sentences in said
-    timeout 120 "$KINESCOPE" probe "$@" >"$work/out" 2>"$work/said" </dev/null
-    got=$?
-}
-
-works() { # NAME ARGUMENTS...
-    name=$1
-    shift
-    probe "$@"
-    report $got "$name"
-}
-
-fails() { # NAME STATUS SENTENCE ARGUMENTS...
-    name=$1 want=$2 sentence=$3
-    shift 3
-    probe "$@"
-    [ $got -eq "$want" ] && [ "$(wc -l <"$work/said")" -eq 1 ] && [ ! -s "$work/out" ] &&
-        grep -qF -- "$sentence" "$work/said"
-    report $? "$name"
-}
+subcommand=probe
+. "$root/tests/support/command.sh"
 
 # value KEY [FILE]: of the flat JSON, as it stands there.
 value() {
@@ -62,7 +43,7 @@ case $work in /*) ;; *) work=$OLDPWD/$work ;; esac
 
 # Phosphor, C1, percent flicker, flicker index at 60 Hz: known to as many digits as are here.
 while read -r phosphor c1 percent index; do
-    probe dot.df --at 512,512 --phosphor "$phosphor"
+    ask dot.df --at 512,512 --phosphor "$phosphor"
     awk -v a="$(value c1)" -v b="$(value percent_flicker)" -v c="$(value flicker_index)" \
         -v x="$c1" -v y="$percent" -v z="$index" 'function off(p, q) { return p < q ? q - p : p - q }
         function last(s) { n = index(s, "."); return n ? 0.51 * 10 ^ (n - length(s)) : 0.51 }

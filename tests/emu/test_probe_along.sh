@@ -10,30 +10,11 @@ work=$TEST_OUT/probe_along
 rm -rf "$work"
 mkdir -p "$work"
 . "$root/tests/support/tap.sh"
+subcommand=probe
+. "$root/tests/support/command.sh"
 case $KINESCOPE in /*) ;; *) KINESCOPE=$PWD/$KINESCOPE ;; esac
 case $work in /*) ;; *) work=$PWD/$work ;; esac
 cd "$work" || exit 1
-
-probe() { # exit status in $got; output in out, sentences in said
-    timeout 120 "$KINESCOPE" probe "$@" >"$work/out" 2>"$work/said" </dev/null
-    got=$?
-}
-
-works() { # NAME ARGUMENTS...
-    name=$1
-    shift
-    probe "$@"
-    report $got "$name"
-}
-
-fails() { # NAME STATUS SENTENCE ARGUMENTS...
-    name=$1 want=$2 sentence=$3
-    shift 3
-    probe "$@"
-    [ $got -eq "$want" ] && [ "$(wc -l <"$work/said")" -eq 1 ] && [ ! -s "$work/out" ] &&
-        grep -qF -- "$sentence" "$work/said"
-    report $? "$name"
-}
 
 value() { # KEY: of the flat JSON
     sed -n "s/^[{ ]\"$1\": \(.*\)[,}]\$/\1/p" out

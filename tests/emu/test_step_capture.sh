@@ -13,14 +13,8 @@ work=$TEST_OUT/step
 rm -rf "$work"
 mkdir -p "$work"
 . "$root/tests/support/tap.sh"
-
-fails() { # NAME STATUS SENTENCE ARGUMENTS...
-    name=$1 want=$2 sentence=$3
-    shift 3
-    timeout 60 "$KINESCOPE" capture "$@" >"$work/out" 2>"$work/said" </dev/null
-    [ $? -eq "$want" ] && [ "$(wc -l <"$work/said")" -eq 1 ] && grep -qF -- "$sentence" "$work/said"
-    report $? "$name"
-}
+subcommand=capture
+. "$root/tests/support/command.sh"
 
 # The exact simulated times of numbered pictures, from their text chunks.
 moments() {

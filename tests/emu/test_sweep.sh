@@ -6,21 +6,8 @@ set -u
 work=$TEST_OUT/sweep
 rm -rf "$work"
 mkdir -p "$work"
-
-# says NAME PATTERN: the last output has the pattern.
-says() {
-    grep -q -e "$2" "$work/said"
-    report $? "$1"
-}
-
-# refuses NAME PATTERN ARGUMENTS...: exit status 2 and a sentence with the pattern.
-refuses() {
-    name=$1 pattern=$2
-    shift 2
-    "$KINESCOPE" sweep "$@" >"$work/said" 2>&1
-    [ $? -eq 2 ] && [ "$(wc -l <"$work/said")" -eq 1 ] && grep -q -e "$pattern" "$work/said"
-    report $? "$name"
-}
+subcommand=sweep
+. "$(dirname "$0")/../support/command.sh"
 
 # ---- the table ---------------------------------------------------------------------------------------
 

@@ -6,6 +6,7 @@
 #include "crt/spot.h"
 #include "emu/debug/snapshot.h"
 #include "emu/lab/why_text.h"
+#include "tests/emu/painter.h"
 #include "tests/emu/processor_rig.h"
 
 /* Again while rs1 is not 0, or is 0: one instruction, or `words`, back. */
@@ -147,17 +148,6 @@ static void vector_shares_sum_to_the_luminance(void **state)
     }
 }
 
-/* Stores 1, 2, 3 … as the first pixel of every row, pitch 0, every third cycle. */
-static const uint32_t painter[] = {
-    LUI(A0, MAP_VIDEO >> 12),
-    LUI(A2, MAP_VIDEO_BUFFER >> 12),
-    SW(ZERO, A0, VIDEO_PITCH),
-    ADDI(A1, ZERO, VIDEO_CONTROL_ON),
-    SW(A1, A0, VIDEO_CONTROL), /* cycle 4 */
-    ADDI(A3, A3, 1),
-    SB(A3, A2, 0), /* cycle 6 + 3n */
-    JUMP_BACK(2),
-};
 #define PAINTS_AT   (MAP_PROGRAM + 4 * 6)
 #define DOT(n)      crt_tick_time((struct crt_rate){25175000, 1}, n) /* since it was switched on */
 #define LEFT        25 /* dots: a border of 8 mm where 640 dots are 204 mm; there a line is read */
