@@ -37,12 +37,6 @@ void vm_caption_time(uint64_t ps, bool difference, char *text, size_t size)
              micro ? "\xC2\xB5s" : "");
 }
 
-void vm_caption_clock(uint64_t ps, char *text, size_t size)
-{
-    snprintf(text, size, "%llu.%09llu s", (unsigned long long)(ps / CRT_PS_PER_S),
-             (unsigned long long)(ps % CRT_PS_PER_S / 1000));
-}
-
 /* Cuts letters off the end, whole ones, until the text is no wider. */
 static void cut(struct vm_type type, char *text, double width)
 {

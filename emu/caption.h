@@ -23,8 +23,6 @@ struct vm_caption {
 /* vm_format_time() with the letter µ, and a sign where it is a difference. */
 void vm_caption_time(uint64_t ps, bool difference, char *text, size_t size);
 
-/* Since power-on, to the nanosecond before it. */
-void vm_caption_clock(uint64_t ps, char *text, size_t size);
 
 /* The size of letters that suits a picture of that height, to be read from the back of a room. */
 double vm_caption_letters(int picture_height);

@@ -32,6 +32,9 @@ struct vm_side_options {
 /* Tables that fill it: exposure, light, settings. */
 #define VM_SIDE_TABLES 3
 
+/* Of seconds since power-on in captions: whole nanoseconds. */
+#define VM_CAPTION_DIGITS 9
+
 struct vm_capture_options {
     const char *out, *y4m, *closeup, *depth, *versus, *step, *sheet;
     struct vm_time from, to;

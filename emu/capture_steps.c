@@ -179,7 +179,7 @@ void vm_capture_caption(const struct vm_capture *c, uint64_t number, char *text,
     char part[64];
     bool by_line = c->step && c->unit == VM_UNIT_LINE;
     text[0] = '\0';
-    vm_caption_clock(c->shots.shot[number].at, part, sizeof part);
+    vm_format_clock(c->shots.shot[number].at, VM_CAPTION_DIGITS, part, sizeof part);
     say(&line, part);
     if (c->step && c->unit == VM_UNIT_REFRESH) {
         snprintf(part, sizeof part, "refresh %llu", (unsigned long long)m->refreshes.last.number);

@@ -44,7 +44,7 @@ static void heading(const struct vm_capture *c, const struct vm_frame *frame, ch
     const struct vm_capture_side *s = &c->side[0];
     const struct vm_monitor *m = &s->settings.monitor[s->view == VM_VIEW_RASTER];
     char from[40], step[80], exposure[40];
-    vm_caption_clock(c->shots.shot[0].at, from, sizeof from);
+    vm_format_clock(c->shots.shot[0].at, VM_CAPTION_DIGITS, from, sizeof from);
     vm_caption_time(frame->t1 - frame->t0, false, exposure, sizeof exposure);
     spacing(c, step, sizeof step);
     size_t n = (size_t)snprintf(text, size,

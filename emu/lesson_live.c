@@ -1,4 +1,4 @@
-#define _XOPEN_SOURCE 700 /* realpath, mkdtemp */
+#define _XOPEN_SOURCE 700 /* mkdtemp */
 #include "emu/lesson_live.h"
 
 #include <dirent.h>
@@ -62,15 +62,6 @@ static bool belongs(const struct vm_run_options *o, struct crt_error *err)
     return !not || crt_fail(err, "%s does not go with a lesson's page; leave it out", not );
 }
 
-/* The folder of the lesson's file, absolute. */
-static char *folder_of(const char *path)
-{
-    char *real = realpath(path, NULL), *slash = real ? strrchr(real, '/') : NULL;
-    if (slash)
-        *slash = '\0';
-    return real;
-}
-
 /* Puts the folder before word `i`, or before the value in --option=value, where that names a file in there: the
  * window stays in the folder that the command was given in, where its screenshots go. */
 static bool place_word(struct vm_words *words, int i, const char *folder, struct crt_error *why)
@@ -96,7 +87,7 @@ static bool place_word(struct vm_words *words, int i, const char *folder, struct
 static bool read_words(const struct live *l, struct live_page *p, struct crt_error *why)
 {
     const struct vm_lesson_places places = {l->desc->run->roms, "/"};
-    char *folder = folder_of(p->lesson->path);
+    char *folder = vm_lesson_folder(p->lesson);
     bool ok =
         vm_lesson_command_start(&p->lesson->line[p->live.line], &places, false, &p->words, why);
     for (int i = 1; ok && folder && i < p->words.count; i++)

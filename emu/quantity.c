@@ -228,12 +228,26 @@ void vm_format_time(uint64_t ps, char *text, size_t size)
     snprintf(text, size, "%.*f %s", places, v, units[unit]);
 }
 
-void vm_format_seconds(uint64_t ps, char *text, size_t size)
+void vm_plain_seconds(uint64_t ps, char *text, size_t size)
 {
     char fraction[16];
     snprintf(fraction, sizeof fraction, "%012llu", (unsigned long long)(ps % CRT_PS_PER_S));
     size_t n = 12;
     while (n > 1 && fraction[n - 1] == '0')
         fraction[--n] = '\0';
-    snprintf(text, size, "%llu.%s s", (unsigned long long)(ps / CRT_PS_PER_S), fraction);
+    snprintf(text, size, "%llu.%s", (unsigned long long)(ps / CRT_PS_PER_S), fraction);
+}
+
+void vm_format_seconds(uint64_t ps, char *text, size_t size)
+{
+    char plain[40];
+    vm_plain_seconds(ps, plain, sizeof plain);
+    snprintf(text, size, "%s s", plain);
+}
+
+void vm_format_clock(uint64_t ps, int digits, char *text, size_t size)
+{
+    char fraction[16];
+    snprintf(fraction, sizeof fraction, "%012llu", (unsigned long long)(ps % CRT_PS_PER_S));
+    snprintf(text, size, "%llu.%.*s s", (unsigned long long)(ps / CRT_PS_PER_S), digits, fraction);
 }

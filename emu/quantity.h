@@ -54,7 +54,10 @@ bool vm_parse_octal(const char *text, uint32_t *value, struct crt_error *err);
 
 /* "16.67 ms": four significant digits with a fitting unit. */
 void vm_format_time(uint64_t ps, char *text, size_t size);
-/* "0.516666666666 s": exact. */
+/* "0.516666666666": exact, without the unit, and with it. */
+void vm_plain_seconds(uint64_t ps, char *text, size_t size);
 void vm_format_seconds(uint64_t ps, char *text, size_t size);
+/* "0.516666 s": so many digits after the point, 1 to 12; what comes after them is cut off. */
+void vm_format_clock(uint64_t ps, int digits, char *text, size_t size);
 
 #endif

@@ -3,6 +3,7 @@
 #include <stdio.h>
 
 #include "display_file/disasm.h"
+#include "emu/quantity.h"
 
 /* ---- vector head ---------------------------------------------------------------------------------
  */
@@ -141,8 +142,5 @@ void vm_where_time(uint64_t t, uint64_t step, char *text, size_t size)
     int digits = 2;
     for (uint64_t unit = CRT_PS_PER_S / 100; digits < 12 && step < unit; unit /= 10)
         digits++;
-    char exact[48];
-    int n = snprintf(exact, sizeof exact, "%llu.%012llu", (unsigned long long)(t / CRT_PS_PER_S),
-                     (unsigned long long)(t % CRT_PS_PER_S));
-    snprintf(text, size, "%.*s s", n - 12 + digits, exact);
+    vm_format_clock(t, digits, text, size);
 }

@@ -18,7 +18,7 @@ static void print_names(FILE *out, const struct vm_probe *probe)
 static void print_sample(FILE *out, const struct vm_probe_wave *w, size_t i)
 {
     char t[VM_SECONDS_TEXT];
-    vm_probe_seconds(w->t[i], t);
+    vm_plain_seconds(w->t[i], t, sizeof t);
     fprintf(out, "%s,", t);
     vm_probe_number(out, w->cd_m2[i]);
     for (int c = 0; c < w->colours && w->colours > 1; c++) {

@@ -5,14 +5,6 @@
 #include "emu/json_out.h"
 #include "emu/lab/probe_parts.h"
 
-void vm_probe_seconds(uint64_t ps, char text[VM_SECONDS_TEXT])
-{
-    int n = snprintf(text, VM_SECONDS_TEXT, "%llu.%012llu", (unsigned long long)(ps / CRT_PS_PER_S),
-                     (unsigned long long)(ps % CRT_PS_PER_S));
-    while (text[n - 1] == '0' && text[n - 2] != '.')
-        text[--n] = '\0';
-}
-
 void vm_probe_number(FILE *out, double value)
 {
     char text[CRT_FLOAT_TEXT];
@@ -44,7 +36,7 @@ void vm_probe_put_number(FILE *out, const char *name, double value)
 void vm_probe_put_seconds(FILE *out, const char *name, uint64_t ps)
 {
     char digits[VM_SECONDS_TEXT];
-    vm_probe_seconds(ps, digits);
+    vm_plain_seconds(ps, digits, sizeof digits);
     key(out, name);
     fputs(digits, out);
 }

@@ -56,9 +56,8 @@ uint64_t vm_probe_fading(const struct crt_phosphor *phosphor, double part);
 bool vm_probe_write_csv(const char *path, const struct vm_probe *probe,
                         const struct vm_probe_wave *wave, struct crt_error *err);
 
-/* Seconds as exact decimals, without trailing zeros. */
+/* For vm_plain_seconds(). */
 #define VM_SECONDS_TEXT 40
-void vm_probe_seconds(uint64_t ps, char text[VM_SECONDS_TEXT]);
 /* As many digits as a float has; "null" where it is no number. */
 void vm_probe_number(FILE *out, double value);
 

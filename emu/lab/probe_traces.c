@@ -42,7 +42,7 @@ static struct table columns_of(const struct vm_signals *s, unsigned wanted)
 static void print_time(FILE *out, uint64_t t)
 {
     char text[VM_SECONDS_TEXT];
-    vm_probe_seconds(t, text);
+    vm_plain_seconds(t, text, sizeof text);
     fputs(text, out);
 }
 

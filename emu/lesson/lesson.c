@@ -1,3 +1,4 @@
+#define _XOPEN_SOURCE 700 /* realpath */
 #include "emu/lesson/lesson.h"
 
 #include <stdlib.h>
@@ -21,6 +22,14 @@ void vm_lesson_free(struct vm_lesson *lesson)
     free(lesson->line);
     free(lesson->step);
     *lesson = (struct vm_lesson){.line = NULL};
+}
+
+char *vm_lesson_folder(const struct vm_lesson *lesson)
+{
+    char *real = realpath(lesson->path, NULL), *slash = real ? strrchr(real, '/') : NULL;
+    if (slash)
+        *slash = '\0';
+    return real;
 }
 
 bool vm_lesson_fail(const struct vm_lesson *lesson, int number, const char *why,

@@ -80,6 +80,8 @@ bool vm_lesson_read(struct vm_lesson *lesson, const char *path, const char *byte
                     struct crt_error *err);
 bool vm_lesson_load(struct vm_lesson *lesson, const char *path, struct crt_error *err);
 void vm_lesson_free(struct vm_lesson *lesson); /* also one that is all zero */
+/* The folder of its file, absolute; NULL when there is none. The caller frees it. */
+char *vm_lesson_folder(const struct vm_lesson *lesson);
 
 /* What the keyword is called in a file. */
 const char *vm_lesson_word_name(enum vm_lesson_word word);
@@ -99,7 +101,7 @@ struct vm_lesson_live {
     const char *caption; /* its own, else the heading of its step; may quote figures */
     int step;
     int line, caption_line; /* the line of the command, of its own caption (-1: it has none) */
-    bool flashes; /* between 3 and 30 Hz: warn before */
+    bool flashes;           /* between 3 and 30 Hz: warn before */
 };
 int vm_lesson_live_count(const struct vm_lesson *lesson);
 bool vm_lesson_live(const struct vm_lesson *lesson, int i, struct vm_lesson_live *live);

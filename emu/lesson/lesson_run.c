@@ -1,4 +1,3 @@
-#define _XOPEN_SOURCE 700 /* realpath */
 #include "emu/lesson/lesson_run.h"
 
 #include <errno.h>
@@ -73,16 +72,6 @@ static void tell_troubles(const struct runner *r)
     }
 }
 
-/* The folder of the lesson's own file, absolute. */
-static char *folder_of(const char *path)
-{
-    char *real = realpath(path, NULL);
-    char *slash = real ? strrchr(real, '/') : NULL;
-    if (slash)
-        *slash = '\0';
-    return real;
-}
-
 /* ---- one command ----------------------------------------------------------------------------- */
 
 static void start(struct runner *r, int lesson, int line)
@@ -92,7 +81,7 @@ static void start(struct runner *r, int lesson, int line)
     struct job *job = &r->job[r->running];
     struct vm_words words = {.count = 0};
     struct crt_error why;
-    char *folder = folder_of(l->path);
+    char *folder = vm_lesson_folder(l);
     struct vm_lesson_places places = {r->how->roms, results->folder};
     show_progress(r, l, l->line[line].step);
     *job = (struct job){.lesson = lesson, .line = line};
